@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef ridges_MarchingTriangles_h
+#define ridges_MarchingTriangles_h
+
+#include "RidgePoint.h"
+#include "RidgeType.h"
+
+#include <vector>
+
+namespace ridges
+{
+
+enum class TypeRule
+{
+  FourthOrder, ///< The sign of P, equation (3).
+  ThirdOrder   ///< Section 5.3, see IsEllipticByThirdOrder.
+};
+
+/**
+ * A piece of a ridge inside one triangle: from edge to edge in a regular triangle, from an edge
+ * to the umbilic in a singular one.
+ */
+struct RidgeSegment
+{
+  static constexpr Id ToUmbilic = -1;
+
+  Id triangle;
+  Id edge0;
+  Id edge1; ///< Or ToUmbilic.
+  RidgeType type;
+  bool crest; ///< Elliptic, and the own curvature is the larger in absolute value (section 7.2).
+};
+
+/// How ridges are put into a triangle.
+struct MarchingRules
+{
+  TypeRule type = TypeRule::FourthOrder;
+  CrossingRule crossing = CrossingRule::Form;
+};
+
+/**
+ * Appends the pieces of ridges of the colour inside a triangle: none or one in a regular
+ * triangle, one or three in a singular one.
+ *
+ * By the fourth order a piece has the type of P at its middle, so that of two ends of different
+ * type the one nearer to the turning point takes the change. A piece that ends at an umbilic is
+ * hyperbolic, as every ridge is there (section 6.5).
+ */
+void MarchTriangle(const TriangleMesh& mesh, const MongeField& field, Color color,
+  const MarchingRules& rules, Id triangle, std::vector<RidgeSegment>& segments);
+
+} // namespace ridges
+
+#endif

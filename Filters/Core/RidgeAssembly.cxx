@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "RidgeAssembly.h"
+
+#include <algorithm>
+#include <array>
+
+namespace ridges
+{
+namespace
+{
+
+constexpr Id None = -1;
+
+/// Walks from segment to segment across the edges where exactly two meet.
+class Walker
+{
+public:
+  Walker(const TriangleMesh& mesh, const std::vector<RidgeSegment>& segments)
+    : Mesh_(mesh)
+    , Segments_(segments)
+    , AtEdge_(mesh.NumberOfEdges(), { None, None })
+    , Visited_(segments.size(), false)
+  {
+    for (std::size_t s = 0; s < segments.size(); ++s)
+    {
+      for (const Id edge : { segments[s].edge0, segments[s].edge1 })
+      {
+        if (edge != RidgeSegment::ToUmbilic && mesh.EdgeAt(edge).t1 >= 0)
+        {
+          auto& pair = this->AtEdge_[edge];
+          pair[pair[0] == None ? 0 : 1] = static_cast<Id>(s);
+        }
+      }
+    }
+  }
+
+  bool IsVisited(Id segment) const { return this->Visited_[segment]; }
+
+  /// The segment that continues across the edge, or None.
+  Id Across(Id segment, Id edge) const
+  {
+    if (edge == RidgeSegment::ToUmbilic || this->Mesh_.EdgeAt(edge).t1 < 0)
+    {
+      return None;
+    }
+    const auto& pair = this->AtEdge_[edge];
+    return pair[0] == segment ? pair[1] : pair[0];
+  }
+
+  /// The ridge that starts in the segment at its end `from`.
+  Ridge Walk(Id segment, Id from)
+  {
+    Ridge ridge;
+    ridge.nodes.push_back(this->NodeOf(segment, from));
+    while (segment != None && !this->Visited_[segment])
+    {
+      this->Visited_[segment] = true;
+      const RidgeSegment& s = this->Segments_[segment];
+      const Id to = s.edge0 == from ? s.edge1 : s.edge0;
+      ridge.segments.push_back(segment);
+      ridge.nodes.push_back(this->NodeOf(segment, to));
+      segment = this->Across(segment, to);
+      from = to;
+    }
+    ridge.closed = segment != None;
+    return ridge;
+  }
+
+private:
+  Id NodeOf(Id segment, Id edge) const
+  {
+    return edge == RidgeSegment::ToUmbilic ? Ridge::AtUmbilic(this->Segments_[segment].triangle)
+                                           : edge;
+  }
+
+  const TriangleMesh& Mesh_;
+  const std::vector<RidgeSegment>& Segments_;
+  std::vector<std::array<Id, 2>> AtEdge_;
+  std::vector<bool> Visited_;
+};
+
+} // namespace
+
+std::vector<Ridge> AssembleRidges(
+  const TriangleMesh& mesh, const std::vector<RidgeSegment>& segments)
+{
+  Walker walker(mesh, segments);
+  const Id count = static_cast<Id>(segments.size());
+  std::vector<Ridge> ridges;
+  for (Id s = 0; s < count; ++s)
+  {
+    for (const Id edge : { segments[s].edge0, segments[s].edge1 })
+    {
+      if (!walker.IsVisited(s) && walker.Across(s, edge) == None)
+      {
+        ridges.push_back(walker.Walk(s, edge));
+      }
+    }
+  }
+  // What is left has no end.
+  for (Id s = 0; s < count; ++s)
+  {
+    if (!walker.IsVisited(s))
+    {
+      ridges.push_back(walker.Walk(s, segments[s].edge0));
+    }
+  }
+  return ridges;
+}
+
+std::vector<RidgeRun> SplitByType(Ridge& ridge, const std::vector<RidgeSegment>& segments)
+{
+  const auto alike = [&](Id s, Id t)
+  { return segments[s].type == segments[t].type && segments[s].crest == segments[t].crest; };
+  const bool seamInsideRun = ridge.closed && alike(ridge.segments.back(), ridge.segments.front());
+  const auto change = std::adjacent_find(
+    ridge.segments.begin(), ridge.segments.end(), [&](Id s, Id t) { return !alike(s, t); });
+  if (seamInsideRun && change != ridge.segments.end())
+  {
+    const auto shift = change + 1 - ridge.segments.begin();
+    ridge.nodes.pop_back();
+    std::rotate(ridge.segments.begin(), ridge.segments.begin() + shift, ridge.segments.end());
+    std::rotate(ridge.nodes.begin(), ridge.nodes.begin() + shift, ridge.nodes.end());
+    ridge.nodes.push_back(ridge.nodes.front());
+  }
+
+  std::vector<RidgeRun> runs;
+  const Id count = static_cast<Id>(ridge.segments.size());
+  for (Id first = 0; first < count;)
+  {
+    Id last = first + 1;
+    while (last < count && alike(ridge.segments[last - 1], ridge.segments[last]))
+    {
+      ++last;
+    }
+    runs.push_back({ first, last });
+    first = last;
+  }
+  return runs;
+}
+
+} // namespace ridges

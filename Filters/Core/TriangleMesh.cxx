@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "TriangleMesh.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <utility>
+
+namespace ridges
+{
+
+TriangleMesh::TriangleMesh(const double* points, Id numberOfPoints, std::vector<Triangle> triangles)
+  : Points_(points)
+  , NumberOfPoints_(numberOfPoints)
+  , Triangles_(std::move(triangles))
+{
+  this->BuildIncidence();
+  this->BuildEdges();
+}
+
+void TriangleMesh::BuildIncidence()
+{
+  this->Offsets_.assign(static_cast<std::size_t>(this->NumberOfPoints_) + 1, 0);
+  for (const Triangle& triangle : this->Triangles_)
+  {
+    for (const Id p : triangle)
+    {
+      ++this->Offsets_[p + 1];
+    }
+  }
+  for (Id p = 0; p < this->NumberOfPoints_; ++p)
+  {
+    this->Offsets_[p + 1] += this->Offsets_[p];
+  }
+
+  this->Incident_.resize(3 * this->Triangles_.size());
+  std::vector<Id> next(this->Offsets_.begin(), this->Offsets_.end() - 1);
+  for (Id t = 0; t < this->NumberOfTriangles(); ++t)
+  {
+    for (const Id p : this->Triangles_[t])
+    {
+      this->Incident_[next[p]++] = t;
+    }
+  }
+}
+
+void TriangleMesh::BuildEdges()
+{
+  // Half-edges at one smaller end, sorted by the other end: linear over the mesh, and safe where
+  // very many triangles share one point.
+  struct HalfEdge
+  {
+    Id other;
+    Id triangle;
+    int side;
+  };
+  std::vector<HalfEdge> halfEdges;
+
+  this->TriangleEdges_.resize(this->Triangles_.size());
+  this->Edges_.reserve(this->Triangles_.size() + this->Triangles_.size() / 2);
+  this->OnBorder_.assign(this->NumberOfPoints_, 0);
+  for (Id p = 0; p < this->NumberOfPoints_; ++p)
+  {
+    halfEdges.clear();
+    for (const Id t : this->TrianglesAround(p))
+    {
+      const Triangle& corners = this->Triangles_[t];
+      for (int i = 0; i < 3; ++i)
+      {
+        const Id a = corners[i];
+        const Id b = corners[(i + 1) % 3];
+        if (std::min(a, b) == p)
+        {
+          halfEdges.push_back({ std::max(a, b), t, i });
+        }
+      }
+    }
+    std::sort(halfEdges.begin(), halfEdges.end(),
+      [](const HalfEdge& a, const HalfEdge& b)
+      { return a.other != b.other ? a.other < b.other : a.triangle < b.triangle; });
+
+    for (std::size_t first = 0; first < halfEdges.size();)
+    {
+      std::size_t last = first + 1;
+      while (last < halfEdges.size() && halfEdges[last].other == halfEdges[first].other)
+      {
+        ++last;
+      }
+      const std::size_t count = last - first;
+      const Id t1 =
+        count == 2 ? halfEdges[first + 1].triangle : (count == 1 ? Border : NonManifold);
+      const Id id = this->NumberOfEdges();
+      this->Edges_.push_back({ p, halfEdges[first].other, halfEdges[first].triangle, t1 });
+      for (std::size_t i = first; i < last; ++i)
+      {
+        this->TriangleEdges_[halfEdges[i].triangle][halfEdges[i].side] = id;
+      }
+      if (count != 2)
+      {
+        this->OnBorder_[p] = 1;
+        this->OnBorder_[halfEdges[first].other] = 1;
+      }
+      first = last;
+    }
+  }
+}
+
+Eigen::Vector3d TriangleMesh::Centroid(Id t) const
+{
+  const Triangle& c = this->Triangles_[t];
+  return (this->Point(c[0]) + this->Point(c[1]) + this->Point(c[2])) / 3.0;
+}
+
+Eigen::Vector3d TriangleMesh::AreaNormal(Id t) const
+{
+  const Triangle& c = this->Triangles_[t];
+  const Eigen::Vector3d e1 = this->Point(c[1]) - this->Point(c[0]);
+  const Eigen::Vector3d e2 = this->Point(c[2]) - this->Point(c[0]);
+  return e1.cross(e2);
+}
+
+Eigen::Vector3d TriangleMesh::PointNormal(Id p) const
+{
+  Eigen::Vector3d normal = Eigen::Vector3d::Zero();
+  for (const Id t : this->TrianglesAround(p))
+  {
+    normal += this->AreaNormal(t);
+  }
+  return normal;
+}
+
+Id TriangleMesh::EulerCharacteristic() const
+{
+  Id used = 0;
+  for (Id p = 0; p < this->NumberOfPoints_; ++p)
+  {
+    used += this->Offsets_[p + 1] > this->Offsets_[p] ? 1 : 0;
+  }
+  return used - this->NumberOfEdges() + this->NumberOfTriangles();
+}
+
+Id TriangleMesh::NumberOfInconsistentEdges() const
+{
+  const auto startsAt = [this](Id t, Id e)
+  {
+    const Triangle& edges = this->TriangleEdges_[t];
+    const auto side = std::find(edges.begin(), edges.end(), e) - edges.begin();
+    return this->Triangles_[t][side];
+  };
+  Id count = 0;
+  for (Id e = 0; e < this->NumberOfEdges(); ++e)
+  {
+    const Edge& edge = this->Edges_[e];
+    count += edge.t1 >= 0 && startsAt(edge.t0, e) == startsAt(edge.t1, e) ? 1 : 0;
+  }
+  return count;
+}
+
+Id TriangleMesh::NumberOfNonManifoldEdges() const
+{
+  return static_cast<Id>(std::count_if(this->Edges_.begin(), this->Edges_.end(),
+    [](const Edge& edge) { return edge.t1 == NonManifold; }));
+}
+
+} // namespace ridges
