@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkRidgeExampleSource.h"
+
+#include "Core/ExampleSurface.h"
+
+#include "vtkCellArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkInformation.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+
+#include <algorithm>
+#include <cmath>
+
+vtkStandardNewMacro(vtkRidgeExampleSource);
+
+vtkRidgeExampleSource::vtkRidgeExampleSource()
+{
+  this->SetNumberOfInputPorts(0);
+}
+
+int vtkRidgeExampleSource::RequestData(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* outputVector)
+{
+  const bool positive = std::all_of(std::begin(this->SemiAxes), std::end(this->SemiAxes),
+    [](double axis) { return axis > 0.0 && std::isfinite(axis); });
+  if (this->Surface == ELLIPSOID && !positive)
+  {
+    vtkErrorMacro("SemiAxes are " << this->SemiAxes[0] << ", " << this->SemiAxes[1] << ", "
+                                  << this->SemiAxes[2] << ": all three have to be positive.");
+    return 0;
+  }
+  const auto mesh = this->Surface == ELLIPSOID
+    ? ridges::MeshEllipsoid(Eigen::Map<const Eigen::Vector3d>(this->SemiAxes), this->Frequency)
+    : ridges::MeshSurface(ridges::BlendSurface(), this->Frequency);
+
+  vtkNew<vtkDoubleArray> coordinates;
+  coordinates->SetNumberOfComponents(3);
+  coordinates->SetNumberOfTuples(mesh.points.cols());
+  std::copy_n(mesh.points.data(), mesh.points.size(), coordinates->GetPointer(0));
+  vtkNew<vtkPoints> points;
+  points->SetData(coordinates);
+  vtkNew<vtkCellArray> triangles;
+  triangles->AllocateExact(mesh.triangles.size(), 3 * mesh.triangles.size());
+  for (const ridges::Triangle& corners : mesh.triangles)
+  {
+    triangles->InsertNextCell({ corners[0], corners[1], corners[2] });
+  }
+  vtkPolyData* output = vtkPolyData::GetData(outputVector);
+  output->SetPoints(points);
+  output->SetPolys(triangles);
+  return 1;
+}
+
+void vtkRidgeExampleSource::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Surface: " << (this->Surface == ELLIPSOID ? "Ellipsoid" : "Blend") << "\n";
+  os << indent << "Frequency: " << this->Frequency << "\n";
+  os << indent << "SemiAxes: " << this->SemiAxes[0] << " " << this->SemiAxes[1] << " "
+     << this->SemiAxes[2] << "\n";
+}

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkRidgeSharpnessFilter
+ * @brief   keep the salient ridges
+ *
+ * Passes the polylines of vtkRidgeExtraction that are sharp, strong and long enough and of a type
+ * that is wanted, with all their arrays. Sharpness and strength have no unit, so that one threshold
+ * serves a model at any scale (RR-5294, section 7.2).
+ *
+ * Input: polylines with the cell arrays RidgeType and Crest, and Sharpness, Strength and Length as
+ * far as a minimum is set on them.
+ *
+ * Output port 0: the polylines kept, and only the points they use.
+ *
+ * @sa
+ * vtkRidgeExtraction
+ */
+
+#ifndef vtkRidgeSharpnessFilter_h
+#define vtkRidgeSharpnessFilter_h
+
+#include "vtkFiltersRidgesModule.h" // For export macro
+#include "vtkPolyDataAlgorithm.h"
+
+class VTKFILTERSRIDGES_EXPORT vtkRidgeSharpnessFilter : public vtkPolyDataAlgorithm
+{
+public:
+  static vtkRidgeSharpnessFilter* New();
+  vtkTypeMacro(vtkRidgeSharpnessFilter, vtkPolyDataAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * Least sharpness of a polyline, without unit, 0 or more. Default 0, which keeps all: what is
+   * salient depends on the model. On smooth shapes ridges have 1 to 1000; on scans noise has as
+   * much, and some 300 with a fit to 200 points, say, leave the ridges that the eye sees.
+   */
+  vtkSetClampMacro(MinimumSharpness, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(MinimumSharpness, double);
+  ///@}
+
+  ///@{
+  /**
+   * Least strength of a polyline, the integral of its curvature, without unit, 0 or more.
+   * Default 0: sharpness judges ridges better than strength (RR-5294, Fig. 26).
+   */
+  vtkSetClampMacro(MinimumStrength, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(MinimumStrength, double);
+  ///@}
+
+  ///@{
+  /**
+   * Least length of a polyline, in the unit of the points, 0 or more. Default 0: no length is
+   * right for all models.
+   */
+  vtkSetClampMacro(MinimumLength, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(MinimumLength, double);
+  ///@}
+
+  ///@{
+  /**
+   * Which types are kept: 1 maximum elliptic (blue), 2 maximum hyperbolic (green), 3 minimum
+   * elliptic (red), 4 minimum hyperbolic (yellow), and 0 undecided ones. Default all.
+   */
+  vtkSetMacro(KeepMaximumElliptic, bool);
+  vtkGetMacro(KeepMaximumElliptic, bool);
+  vtkBooleanMacro(KeepMaximumElliptic, bool);
+  vtkSetMacro(KeepMaximumHyperbolic, bool);
+  vtkGetMacro(KeepMaximumHyperbolic, bool);
+  vtkBooleanMacro(KeepMaximumHyperbolic, bool);
+  vtkSetMacro(KeepMinimumElliptic, bool);
+  vtkGetMacro(KeepMinimumElliptic, bool);
+  vtkBooleanMacro(KeepMinimumElliptic, bool);
+  vtkSetMacro(KeepMinimumHyperbolic, bool);
+  vtkGetMacro(KeepMinimumHyperbolic, bool);
+  vtkBooleanMacro(KeepMinimumHyperbolic, bool);
+  vtkSetMacro(KeepUndecided, bool);
+  vtkGetMacro(KeepUndecided, bool);
+  vtkBooleanMacro(KeepUndecided, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Whether only crest lines are kept. Default off.
+   */
+  vtkSetMacro(CrestOnly, bool);
+  vtkGetMacro(CrestOnly, bool);
+  vtkBooleanMacro(CrestOnly, bool);
+  ///@}
+
+protected:
+  vtkRidgeSharpnessFilter() = default;
+  ~vtkRidgeSharpnessFilter() override = default;
+
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+  double MinimumSharpness = 0.0;
+  double MinimumStrength = 0.0;
+  double MinimumLength = 0.0;
+  bool KeepMaximumElliptic = true;
+  bool KeepMaximumHyperbolic = true;
+  bool KeepMinimumElliptic = true;
+  bool KeepMinimumHyperbolic = true;
+  bool KeepUndecided = true;
+  bool CrestOnly = false;
+
+private:
+  vtkRidgeSharpnessFilter(const vtkRidgeSharpnessFilter&) = delete;
+  void operator=(const vtkRidgeSharpnessFilter&) = delete;
+
+  bool KeepsType(int type) const;
+};
+
+#endif

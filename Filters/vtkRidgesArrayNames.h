@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file vtkRidgesArrayNames.h
+ * Names of the arrays by which the filters of this module speak to each other and to users. Their
+ * meaning, components and units stand in Filters/Documentation/Arrays.md.
+ */
+#ifndef vtkRidgesArrayNames_h
+#define vtkRidgesArrayNames_h
+
+namespace vtkRidgesArrayNames
+{
+/// @name Mesh, point data, of vtkJetFitting
+///@{
+constexpr const char* MaximumCurvature = "MaximumCurvature";
+constexpr const char* MinimumCurvature = "MinimumCurvature";
+constexpr const char* MaximumDirection = "MaximumDirection";
+constexpr const char* MinimumDirection = "MinimumDirection";
+constexpr const char* Normals = "Normals";
+constexpr const char* ThirdOrder = "ThirdOrder";
+constexpr const char* FourthOrder = "FourthOrder";
+constexpr const char* P1 = "P1";
+constexpr const char* P2 = "P2";
+constexpr const char* FitStatus = "FitStatus";
+constexpr const char* FitConditionNumber = "FitConditionNumber";
+constexpr const char* FitResidual = "FitResidual";
+///@}
+
+/// @name Mesh, cell data, of vtkUmbilicDetection
+///@{
+constexpr const char* UmbilicPatch = "UmbilicPatch";
+///@}
+
+/// @name Mesh, field data, of vtkUmbilicDetection
+///@{
+constexpr const char* UmbilicPosition = "UmbilicPosition";
+constexpr const char* UmbilicIndex = "UmbilicIndex";
+constexpr const char* UmbilicRidgeCount = "UmbilicRidgeCount";
+constexpr const char* UmbilicIndexSum = "UmbilicIndexSum";
+constexpr const char* EulerCharacteristic = "EulerCharacteristic";
+///@}
+
+/// @name Umbilics, point data
+///@{
+constexpr const char* UmbilicId = "UmbilicId";
+constexpr const char* Index = "Index";
+constexpr const char* RidgeCount = "RidgeCount";
+constexpr const char* ThirdOrderIndex = "ThirdOrderIndex";
+constexpr const char* Triangle = "Triangle";
+///@}
+
+/// @name Ridges, cell data
+///@{
+constexpr const char* RidgeType = "RidgeType";
+constexpr const char* Crest = "Crest";
+constexpr const char* Sharpness = "Sharpness";
+constexpr const char* Strength = "Strength";
+constexpr const char* Length = "Length";
+constexpr const char* RidgeId = "RidgeId";
+constexpr const char* Closed = "Closed";
+///@}
+
+/// @name Ridges, point data
+///@{
+constexpr const char* Curvature = "Curvature";
+constexpr const char* SecondDerivative = "SecondDerivative";
+constexpr const char* Umbilic = "Umbilic";
+constexpr const char* TurningPoint = "TurningPoint";
+constexpr const char* EdgePoint0 = "EdgePoint0";
+constexpr const char* EdgePoint1 = "EdgePoint1";
+constexpr const char* EdgeParameter = "EdgeParameter";
+///@}
+}
+
+#endif
+// VTK-HeaderTest-Exclude: vtkRidgesArrayNames.h

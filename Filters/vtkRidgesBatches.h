@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef vtkRidgesBatches_h
+#define vtkRidgesBatches_h
+
+#include "vtkAlgorithm.h"
+#include "vtkSMPTools.h"
+
+#include <algorithm>
+
+/**
+ * Runs body(begin, end) over [0, count) in parallel, batch after batch. Between two batches the
+ * calling thread reports progress, from `from` to `to`, and looks whether the user asked to abort:
+ * then the result is false.
+ *
+ * AbortExecute is what VTK 9.1 has; CheckAbort came with 9.2.
+ */
+template <typename Body>
+bool vtkRidgesForBatches(
+  vtkAlgorithm* algorithm, vtkIdType count, double from, double to, Body& body)
+{
+  constexpr vtkIdType batch = 1 << 15;
+  for (vtkIdType begin = 0; begin < count; begin += batch)
+  {
+    const vtkIdType end = std::min(begin + batch, count);
+    vtkSMPTools::For(begin, end, body);
+    algorithm->UpdateProgress(from + (to - from) * static_cast<double>(end) / count);
+    if (algorithm->GetAbortExecute())
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+#endif

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkRidgesMongeArrays.h"
+
+#include "Core/JetFit.h"
+#include "vtkRidgesArrayNames.h"
+
+#include "vtkDataArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+
+#include <cmath>
+
+namespace names = vtkRidgesArrayNames;
+
+std::string vtkRidgesMongeArrays::Fetch(vtkPolyData* mesh, bool needsFourthOrder)
+{
+  this->Faults.clear();
+  this->Usable.assign(mesh->GetNumberOfPoints(), 1);
+
+  ridges::MongeField& field = this->Field;
+  field.k1 = this->FetchArray(mesh, names::MaximumCurvature, 1);
+  field.k2 = this->FetchArray(mesh, names::MinimumCurvature, 1);
+  field.d1 = this->FetchArray(mesh, names::MaximumDirection, 3);
+  field.d2 = this->FetchArray(mesh, names::MinimumDirection, 3);
+  field.b = this->FetchArray(mesh, names::ThirdOrder, 4);
+  vtkPointData* pointData = mesh->GetPointData();
+  const bool hasP = pointData->HasArray(names::P1) && pointData->HasArray(names::P2);
+  if (pointData->HasArray(names::FourthOrder))
+  {
+    field.c = this->FetchArray(mesh, names::FourthOrder, 5);
+  }
+  else if (hasP)
+  {
+    field.P1 = this->FetchArray(mesh, names::P1, 1);
+    field.P2 = this->FetchArray(mesh, names::P2, 1);
+  }
+  else if (needsFourthOrder)
+  {
+    this->Fault("FourthOrder (or P1 and P2)");
+  }
+
+  if (vtkDataArray* status = mesh->GetPointData()->GetArray(names::FitStatus))
+  {
+    for (vtkIdType p = 0; p < mesh->GetNumberOfPoints(); ++p)
+    {
+      if (static_cast<int>(status->GetComponent(p, 0)) & ridges::FitInvalid)
+      {
+        this->Usable[p] = 0;
+      }
+    }
+  }
+  return this->Faults;
+}
+
+void vtkRidgesMongeArrays::Fault(const std::string& text)
+{
+  this->Faults += (this->Faults.empty() ? "" : ", ") + text;
+}
+
+const double* vtkRidgesMongeArrays::FetchArray(vtkPolyData* mesh, const char* name, int components)
+{
+  vtkDataArray* array = mesh->GetPointData()->GetArray(name);
+  if (!array)
+  {
+    this->Fault(name);
+    return nullptr;
+  }
+  if (array->GetNumberOfComponents() != components)
+  {
+    this->Fault(std::string(name) + " (with " + std::to_string(components) + " components, not " +
+      std::to_string(array->GetNumberOfComponents()) + ")");
+    return nullptr;
+  }
+
+  const vtkIdType count = mesh->GetNumberOfPoints();
+  const double* values = nullptr;
+  if (vtkDoubleArray* exact = vtkDoubleArray::SafeDownCast(array))
+  {
+    values = exact->GetPointer(0);
+  }
+  else
+  {
+    this->Converted.emplace_back(components * count);
+    std::vector<double>& converted = this->Converted.back();
+    for (vtkIdType p = 0; p < count; ++p)
+    {
+      array->GetTuple(p, converted.data() + components * p);
+    }
+    values = converted.data();
+  }
+  for (vtkIdType i = 0; i < components * count; ++i)
+  {
+    if (!std::isfinite(values[i]))
+    {
+      this->Usable[i / components] = 0;
+    }
+  }
+  return values;
+}
