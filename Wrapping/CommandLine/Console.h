@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file Console.h
+ * How the program speaks while it works: failures and VTK's messages in one line each, a progress
+ * bar on terminals, and the time that each stage took.
+ */
+
+#ifndef Console_h
+#define Console_h
+
+#include <functional>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+class vtkAlgorithm;
+
+namespace program
+{
+
+/// The job cannot go on. The text is "<what> : <what to do>".
+class Failure : public std::runtime_error
+{
+public:
+  Failure(const std::string& what, const std::string& whatToDo)
+    : std::runtime_error(what + " : " + whatToDo)
+  {
+  }
+};
+
+/// A message of VTK without the source line, the address of the object and line breaks.
+std::string PlainMessage(const std::string& message);
+
+/**
+ * Runs the stages of the job. From its first use on, VTK's messages go through it instead of to
+ * the terminal: warnings come out in one line each, an error ends the job.
+ */
+class Stages
+{
+public:
+  using Duration = std::pair<std::string, double>;
+
+  /// Quiet: neither progress nor warnings.
+  explicit Stages(bool quiet);
+
+  /**
+   * Runs a job under a name; the algorithm, if there is one, reports the progress. Throws Failure
+   * with the first error that VTK reports meanwhile, and with the advice as what to do about it.
+   */
+  void Run(const std::string& name, const std::string& advice, vtkAlgorithm* algorithm,
+    const std::function<void()>& job);
+
+  /// Name and seconds of the stages run so far.
+  const std::vector<Duration>& GetDurations() const { return this->Durations; }
+
+private:
+  bool Quiet;
+  bool ShowProgress;
+  std::vector<Duration> Durations;
+};
+
+} // namespace program
+
+#endif

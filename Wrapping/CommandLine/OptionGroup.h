@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef OptionGroup_h
+#define OptionGroup_h
+
+#include <CLI/CLI.hpp>
+
+#include <cmath>
+#include <limits>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace program
+{
+
+template <typename T>
+std::string ToText(const T& value)
+{
+  std::ostringstream text;
+  text << value;
+  return text.str();
+}
+
+template <typename T>
+struct Range
+{
+  T minimum;
+  T maximum;
+
+  std::string AsText() const
+  {
+    // Bounds that only say what the type can hold are none.
+    return static_cast<double>(this->maximum) >= std::numeric_limits<int>::max()
+      ? ToText(this->minimum) + " or more"
+      : ToText(this->minimum) + " to " + ToText(this->maximum);
+  }
+
+  bool Contains(T value) const
+  {
+    return std::isfinite(static_cast<double>(value)) && value >= this->minimum &&
+      value <= this->maximum;
+  }
+};
+
+inline constexpr double AnyLength = std::numeric_limits<double>::max();
+
+/// An enumeration by the names of its values.
+using Names = std::vector<std::pair<std::string, int>>;
+
+/// Adds options to a group, with ranges and defaults in their description. The value of an option
+/// goes to a setter, and its default is what the getter's value was.
+class OptionGroup
+{
+public:
+  OptionGroup(CLI::App& app, std::string name)
+    : App(app)
+    , Name(std::move(name))
+  {
+  }
+
+  template <typename T, typename Setter>
+  CLI::Option* Number(const std::string& flag, const std::string& unit, T value,
+    const Range<T>& range, const Setter& set, const std::string& description)
+  {
+    const auto check = [range](const std::string& text)
+    {
+      T number{};
+      return CLI::detail::lexical_cast(text, number) && range.Contains(number)
+        ? std::string()
+        : text + " is not in the range, " + range.AsText();
+    };
+    return this->App
+      .add_option_function<T>(
+        flag, [set](const T& number) { set(number); }, description + " (" + range.AsText() + ")")
+      ->check(CLI::Validator(check, "", "range"))
+      ->type_name(unit)
+      ->default_str(ToText(value))
+      ->group(this->Name);
+  }
+
+  template <typename Setter>
+  CLI::Option* Choice(const std::string& flag, const Names& names, int value, const Setter& set,
+    const std::string& description)
+  {
+    std::string all;
+    std::string initial;
+    std::vector<std::string> keys;
+    for (const auto& [key, number] : names)
+    {
+      all += (all.empty() ? "" : ", ") + key;
+      initial = number == value ? key : initial;
+      keys.push_back(key);
+    }
+    const auto setByName = [names, set](const std::string& name)
+    {
+      for (const auto& [key, number] : names)
+      {
+        if (key == name)
+        {
+          set(number);
+        }
+      }
+    };
+    return this->App.add_option_function<std::string>(flag, setByName, description + ": " + all)
+      ->transform(CLI::IsMember(keys, CLI::ignore_case))
+      ->type_name("NAME")
+      ->default_str(initial)
+      ->group(this->Name);
+  }
+
+  template <typename Setter>
+  CLI::Option* Triple(const std::string& flag, const std::string& initial, const Setter& set,
+    const std::string& description)
+  {
+    using Values = std::vector<double>;
+    return this->App
+      .add_option_function<Values>(
+        flag,
+        [set](const Values& v) {
+          set({ v[0], v[1], v[2] });
+        },
+        description)
+      ->expected(3)
+      ->delimiter(',')
+      ->check(CLI::Validator(
+        [](const std::string& text)
+        {
+          double number = 0.0;
+          return CLI::detail::lexical_cast(text, number) && std::isfinite(number)
+            ? std::string()
+            : text + " is not a number";
+        },
+        "", "finite"))
+      ->type_name("X,Y,Z")
+      ->default_str(initial)
+      ->group(this->Name);
+  }
+
+  CLI::Option* Text(const std::string& flag, const std::string& type, std::string& value,
+    const std::string& description)
+  {
+    return this->App.add_option(flag, value, description)->type_name(type)->group(this->Name);
+  }
+
+  template <typename Setter>
+  CLI::Option* Flag(const std::string& flag, const Setter& set, const std::string& description)
+  {
+    return this->App
+      .add_flag_callback(
+        flag, [set] { set(true); }, description)
+      ->group(this->Name);
+  }
+
+private:
+  CLI::App& App;
+  std::string Name;
+};
+
+} // namespace program
+
+#endif

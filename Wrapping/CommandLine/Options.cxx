@@ -1,0 +1,378 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Options.h"
+
+#include "HelpFormatter.h"
+#include "OptionGroup.h"
+
+#include "vtkVersion.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <sstream>
+
+namespace program
+{
+namespace
+{
+
+/// What is wrong with options that are right each for itself.
+class Contradiction : public CLI::Error
+{
+public:
+  explicit Contradiction(const std::string& text)
+    : CLI::Error("Contradiction", text)
+  {
+  }
+};
+
+// ---------------------------------------------------------------------------------- the options
+
+using Vector3 = std::array<double, 3>;
+
+void AddInput(CLI::App& app, Options& options, vtkRidgeExampleSource* example)
+{
+  OptionGroup group(app, "Input");
+  CLI::Option* mesh = group.Text("MESH", "FILE", options.mesh,
+    std::string("mesh to read (") + ReadableExtensions() +
+      "); without one, an example surface is taken");
+  group.Flag(
+    "--merge", [&](bool on) { options.meshMending.merge = on; },
+    "join points of MESH that are at the same place, as at the seams of many OBJ files");
+  group.Flag(
+    "--orient", [&](bool on) { options.meshMending.orient = on; },
+    "give the triangles of MESH one orientation, outward if it is closed");
+  group
+    .Choice(
+      "--surface",
+      { { "blend", vtkRidgeExampleSource::BLEND },
+        { "ellipsoid", vtkRidgeExampleSource::ELLIPSOID } },
+      example->GetSurface(), [=](int value) { example->SetSurface(value); }, "example surface")
+    ->excludes(mesh);
+  group
+    .Number<int>(
+      "--frequency", "N", example->GetFrequency(),
+      { example->GetFrequencyMinValue(), example->GetFrequencyMaxValue() },
+      [=](int value) { example->SetFrequency(value); },
+      "fineness of the example: 10 N^2 + 2 points")
+    ->excludes(mesh);
+  const double* axes = example->GetSemiAxes();
+  group
+    .Triple(
+      "--semi-axes", ToText(axes[0]) + "," + ToText(axes[1]) + "," + ToText(axes[2]),
+      [=](Vector3 value) { example->SetSemiAxes(value.data()); },
+      "semi-axes of the ellipsoid, all positive")
+    ->excludes(mesh);
+}
+
+void AddJetFitting(CLI::App& app, vtkJetFitting* filter)
+{
+  OptionGroup group(app, "Jet fitting");
+  group.Number<int>(
+    "--degree", "N", filter->GetDegree(),
+    { filter->GetDegreeMinValue(), filter->GetDegreeMaxValue() },
+    [=](int value) { filter->SetDegree(value); }, "degree of the polynomial fitted at each point");
+  group.Number<int>(
+    "--monge-order", "N", filter->GetMongeOrder(),
+    { filter->GetMongeOrderMinValue(), filter->GetMongeOrderMaxValue() },
+    [=](int value) { filter->SetMongeOrder(value); },
+    "highest order of the derivatives computed: ridges need 3, their sharpness 4");
+  group.Choice(
+    "--neighborhood",
+    { { "point-count", vtkJetFitting::BY_POINT_COUNT }, { "rings", vtkJetFitting::BY_RINGS },
+      { "radius", vtkJetFitting::BY_RADIUS } },
+    filter->GetNeighborhood(), [=](int value) { filter->SetNeighborhood(value); },
+    "what bounds the neighbourhood of a point");
+  group.Number<int>(
+    "--minimum-number-of-points", "N", filter->GetMinimumNumberOfPoints(),
+    { filter->GetMinimumNumberOfPointsMinValue(), filter->GetMinimumNumberOfPointsMaxValue() },
+    [=](int value) { filter->SetMinimumNumberOfPoints(value); },
+    "with point-count: least points of a neighbourhood; take 100 to 200 on noisy meshes");
+  group.Number<int>(
+    "--number-of-rings", "N", filter->GetNumberOfRings(),
+    { filter->GetNumberOfRingsMinValue(), filter->GetNumberOfRingsMaxValue() },
+    [=](int value) { filter->SetNumberOfRings(value); }, "with rings: how many of them");
+  group.Number<double>(
+    "--radius", "LENGTH", filter->GetRadius(), { 0.0, AnyLength },
+    [=](double value) { filter->SetRadius(value); },
+    "with radius: that of the neighbourhood, in units of the mesh");
+}
+
+void AddUmbilics(CLI::App& app, vtkUmbilicDetection* filter)
+{
+  OptionGroup group(app, "Umbilics");
+  group.Number<double>(
+    "--patch-size", "FACTOR", filter->GetPatchSize(),
+    { filter->GetPatchSizeMinValue(), filter->GetPatchSizeMaxValue() },
+    [=](double value) { filter->SetPatchSize(value); },
+    "size of the patch around an umbilic, in sizes of the triangles there; larger ones find fewer "
+    "umbilics");
+}
+
+void AddRidges(CLI::App& app, vtkRidgeExtraction* filter)
+{
+  constexpr int maximum = 1;
+  constexpr int minimum = 2;
+  OptionGroup group(app, "Ridges");
+  group.Choice(
+    "--extract", { { "maximum", maximum }, { "minimum", minimum }, { "both", maximum | minimum } },
+    (filter->GetExtractMaximum() ? maximum : 0) | (filter->GetExtractMinimum() ? minimum : 0),
+    [=](int value)
+    {
+      filter->SetExtractMaximum((value & maximum) != 0);
+      filter->SetExtractMinimum((value & minimum) != 0);
+    },
+    "the principal curvature whose ridges are extracted");
+  group.Flag(
+    "--crest-only", [=](bool on) { filter->SetCrestOnly(on); },
+    "extract crest lines only, the visually salient ridges");
+  group.Choice(
+    "--type-rule",
+    { { "fourth-order", vtkRidgeExtraction::FOURTH_ORDER },
+      { "third-order", vtkRidgeExtraction::THIRD_ORDER } },
+    filter->GetTypeRule(), [=](int value) { filter->SetTypeRule(value); },
+    "derivatives that decide whether a ridge is elliptic or hyperbolic");
+  group.Number<double>(
+    "--model-size", "LENGTH", filter->GetModelSize(),
+    { filter->GetModelSizeMinValue(), filter->GetModelSizeMaxValue() },
+    [=](double value) { filter->SetModelSize(value); },
+    "length that makes sharpness free of units; 0: the radius of the smallest enclosing sphere");
+  group.Number<double>(
+    "--umbilic-cut-off", "FACTOR", filter->GetUmbilicCutOff(),
+    { filter->GetUmbilicCutOffMinValue(), filter->GetUmbilicCutOffMaxValue() },
+    [=](double value) { filter->SetUmbilicCutOff(value); },
+    "distance from umbilics, in model sizes, within which hyperbolic ridges do not count towards "
+    "their sharpness, which is infinite there");
+}
+
+/// The five switches of the types in one option, as a list.
+void AddKeep(CLI::App& app, vtkRidgeSharpnessFilter* filter)
+{
+  using Class = vtkRidgeSharpnessFilter;
+  struct Type
+  {
+    std::string name;
+    void (Class::*set)(bool);
+    bool (Class::*get)();
+  };
+  const std::vector<Type> types{
+    { "blue", &Class::SetKeepMaximumElliptic, &Class::GetKeepMaximumElliptic },
+    { "green", &Class::SetKeepMaximumHyperbolic, &Class::GetKeepMaximumHyperbolic },
+    { "red", &Class::SetKeepMinimumElliptic, &Class::GetKeepMinimumElliptic },
+    { "yellow", &Class::SetKeepMinimumHyperbolic, &Class::GetKeepMinimumHyperbolic },
+    { "undecided", &Class::SetKeepUndecided, &Class::GetKeepUndecided },
+  };
+  std::string initial;
+  for (const Type& type : types)
+  {
+    if ((filter->*type.get)())
+    {
+      initial += (initial.empty() ? "" : ",") + type.name;
+    }
+  }
+  // Split here: a list option of CLI11 would take the arguments behind it for more types.
+  const auto keep = [types, filter](const std::string& text)
+  {
+    std::size_t known = 0;
+    const std::vector<std::string> wanted = CLI::detail::split(CLI::detail::to_lower(text), ',');
+    for (const Type& type : types)
+    {
+      const auto count = std::count(wanted.begin(), wanted.end(), type.name);
+      (filter->*type.set)(count > 0);
+      known += static_cast<std::size_t>(count);
+    }
+    if (known < wanted.size())
+    {
+      throw CLI::ValidationError("--keep", text + " is not a list of types");
+    }
+  };
+  app
+    .add_option_function<std::string>("--keep", keep,
+      "types of lines kept: blue (maximum, elliptic), green (maximum, hyperbolic), red (minimum, "
+      "elliptic), yellow (minimum, hyperbolic), undecided")
+    ->type_name("TYPE,...")
+    ->default_str(initial)
+    ->group("Filter");
+}
+
+void AddSharpness(CLI::App& app, vtkRidgeSharpnessFilter* filter)
+{
+  OptionGroup group(app, "Filter");
+  group.Number<double>(
+    "--minimum-sharpness", "S", filter->GetMinimumSharpness(),
+    { filter->GetMinimumSharpnessMinValue(), filter->GetMinimumSharpnessMaxValue() },
+    [=](double value) { filter->SetMinimumSharpness(value); },
+    "least sharpness of a line, without unit; 100 to 1000 clears up noisy meshes");
+  group.Number<double>(
+    "--minimum-strength", "S", filter->GetMinimumStrength(),
+    { filter->GetMinimumStrengthMinValue(), filter->GetMinimumStrengthMaxValue() },
+    [=](double value) { filter->SetMinimumStrength(value); },
+    "least strength of a line, the integral of its curvature, without unit");
+  group.Number<double>(
+    "--minimum-length", "LENGTH", filter->GetMinimumLength(),
+    { filter->GetMinimumLengthMinValue(), filter->GetMinimumLengthMaxValue() },
+    [=](double value) { filter->SetMinimumLength(value); },
+    "least length of a line, in units of the mesh");
+
+  AddKeep(app, filter);
+  group.Flag(
+    "--keep-crest-only", [=](bool on) { filter->SetCrestOnly(on); },
+    "keep crest lines only, of what is extracted");
+}
+
+void SetPictureSize(const std::string& text, std::array<int, 2>& size)
+{
+  constexpr int least = 64;
+  constexpr int greatest = 8192;
+  std::istringstream stream(text);
+  char by = 0;
+  std::array<int, 2> read{};
+  if (!(stream >> read[0] >> by >> read[1]) || (by != 'x' && by != 'X') || !stream.eof() ||
+    std::min(read[0], read[1]) < least || std::max(read[0], read[1]) > greatest)
+  {
+    throw CLI::ValidationError("--picture-size",
+      text + " is not WIDTHxHEIGHT, each from " + ToText(least) + " to " + ToText(greatest));
+  }
+  size = read;
+}
+
+void AddOutput(CLI::App& app, Options& options)
+{
+  OptionGroup group(app, "Output");
+  group.Text("-o,--output", "PREFIX", options.output,
+    "path and beginning of the names of the files written: PREFIX-ridges.vtp, "
+    "PREFIX-umbilics.vtp, PREFIX.png [name of MESH, or ridges]");
+  group.Flag(
+    "--write-mesh", [&](bool on) { options.writeMesh = on; },
+    "write PREFIX-mesh.vtp too, the mesh with all that was computed at its points");
+  group.Flag(
+    "--no-picture", [&](bool on) { options.noPicture = on; },
+    "draw no picture, which takes an X display");
+  const std::array<int, 2>& size = options.picture.size;
+  app
+    .add_option_function<std::string>(
+      "--picture-size",
+      [&](const std::string& text) { SetPictureSize(text, options.picture.size); },
+      "width and height of the picture in pixels")
+    ->type_name("WxH")
+    ->default_str(ToText(size[0]) + "x" + ToText(size[1]))
+    ->group("Output");
+  group.Triple(
+    "--view", "", [&](Vector3 value) { options.picture.view = value; },
+    "direction from the model to the viewer [along the least extent, but a little from the side "
+    "and from above]");
+  group.Triple(
+    "--up", "", [&](Vector3 value) { options.picture.up = value; },
+    "direction that is up in the picture [y or z, whichever the model extends more along]");
+}
+
+void AddGeneral(CLI::App& app, Options& options)
+{
+  OptionGroup group(app, "General");
+  group
+    .Number<int>(
+      "--threads", "N", options.threads, { 1, 1024 }, [&](int value) { options.threads = value; },
+      "threads to use")
+    ->default_str("all");
+  group.Flag(
+    "-q,--quiet", [&](bool on) { options.quiet = on; },
+    "print nothing but errors: no table, no progress, no warnings");
+  app.set_help_flag("-h,--help", "print this help and exit")->group("General");
+  app
+    .set_version_flag("--version",
+      std::string("vtkridges " RIDGES_VERSION " (VTK ") + vtkVersion::GetVTKVersion() + ")")
+    ->description("print the version and exit")
+    ->group("General");
+}
+
+void Check(const CLI::App& app, const Options& options, const Filters& filters)
+{
+  if (filters.jetFitting->GetNeighborhood() == vtkJetFitting::BY_RADIUS &&
+    filters.jetFitting->GetRadius() <= 0.0)
+  {
+    throw Contradiction("--neighborhood radius needs a positive --radius");
+  }
+  const double* axes = filters.example->GetSemiAxes();
+  if (std::min({ axes[0], axes[1], axes[2] }) <= 0.0)
+  {
+    throw Contradiction("--semi-axes have to be positive, all three");
+  }
+  if (app.count("--semi-axes") > 0 &&
+    filters.example->GetSurface() != vtkRidgeExampleSource::ELLIPSOID)
+  {
+    throw Contradiction("--semi-axes are those of --surface ellipsoid");
+  }
+  for (const std::optional<Vector3>& direction : { options.picture.view, options.picture.up })
+  {
+    if (direction && *direction == Vector3{ 0.0, 0.0, 0.0 })
+    {
+      throw Contradiction("--view and --up are directions, which 0,0,0 is not");
+    }
+  }
+}
+
+/// A directory is completed to a prefix in it, and no prefix to the name of the mesh.
+void CompleteOutput(Options& options)
+{
+  namespace fs = std::filesystem;
+  const std::string name =
+    options.mesh.empty() ? std::string("ridges") : fs::path(options.mesh).stem().string();
+  std::error_code error;
+  if (options.output.empty())
+  {
+    options.output = name;
+  }
+  else if (fs::path(options.output).filename().empty() || fs::is_directory(options.output, error))
+  {
+    options.output = (fs::path(options.output) / name).string();
+  }
+}
+
+} // namespace
+
+std::optional<int> ParseCommandLine(int argc, char** argv, Options& options, Filters& filters)
+{
+  CLI::App app("Finds the ridges and umbilics of a triangle mesh and draws them.", "vtkridges");
+  app.formatter(std::make_shared<HelpFormatter>());
+  app.set_help_flag(); // Added anew at the end, to be listed there.
+  AddInput(app, options, filters.example);
+  AddJetFitting(app, filters.jetFitting);
+  AddUmbilics(app, filters.umbilics);
+  AddRidges(app, filters.ridges);
+  AddSharpness(app, filters.sharpness);
+  AddOutput(app, options);
+  AddGeneral(app, options);
+  app.footer("Defaults stand in brackets. A line is a part of a ridge that has one type.\n"
+             "\n"
+             "Colours: blue and green are ridges of the maximum principal curvature, elliptic\n"
+             "and hyperbolic, red and yellow those of the minimum. Elliptic ones are where the\n"
+             "maximum is greatest, or the minimum least, along its curvature line.\n"
+             "\n"
+             "Exit codes: 0 done; 1 the job failed (a file that cannot be read or written, an\n"
+             "error in a filter); 2 wrong usage.\n"
+             "\n"
+             "Examples:\n"
+             "  vtkridges scan.ply --minimum-number-of-points 200 --minimum-sharpness 300\n"
+             "  vtkridges part.stl --crest-only --output pictures/part\n"
+             "  vtkridges --surface ellipsoid --view 1,-1,1 --output ellipsoid\n"
+             "  xvfb-run -a vtkridges part.stl         (where there is no X display)");
+  try
+  {
+    app.parse(argc, argv);
+    Check(app, options, filters);
+  }
+  catch (const CLI::Success& success)
+  {
+    return app.exit(success, std::cout, std::cerr);
+  }
+  catch (const CLI::Error& error)
+  {
+    std::cerr << "vtkridges: " << error.what() << " : see vtkridges --help\n";
+    return ExitMisused;
+  }
+  CompleteOutput(options);
+  return std::nullopt;
+}
+
+} // namespace program

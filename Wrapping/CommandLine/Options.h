@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef Options_h
+#define Options_h
+
+#include "MeshReader.h"
+#include "Picture.h"
+
+#include "vtkJetFitting.h"
+#include "vtkNew.h"
+#include "vtkRidgeExampleSource.h"
+#include "vtkRidgeExtraction.h"
+#include "vtkRidgeSharpnessFilter.h"
+#include "vtkUmbilicDetection.h"
+
+#include <optional>
+#include <string>
+
+namespace program
+{
+
+/// The pipeline. The options of the command line are kept nowhere but in its filters.
+struct Filters
+{
+  vtkNew<vtkRidgeExampleSource> example;
+  vtkNew<vtkJetFitting> jetFitting;
+  vtkNew<vtkUmbilicDetection> umbilics;
+  vtkNew<vtkRidgeExtraction> ridges;
+  vtkNew<vtkRidgeSharpnessFilter> sharpness;
+};
+
+/// What is no property of a filter.
+struct Options
+{
+  std::string mesh; ///< Empty: the example surface.
+  Mending meshMending;
+  std::string output; ///< Path and beginning of the names of the files written.
+  bool writeMesh = false;
+  bool noPicture = false;
+  PictureOptions picture;
+  int threads = 0; ///< 0: all.
+  bool quiet = false;
+};
+
+/// Exit codes of the program.
+enum ExitCode
+{
+  ExitDone = 0,
+  ExitJobFailed = 1,
+  ExitMisused = 2
+};
+
+/// Sets the options and the filters by the command line. Has a value, the exit code, if that is
+/// all: after --help, or after a message about a wrong option.
+std::optional<int> ParseCommandLine(int argc, char** argv, Options& options, Filters& filters);
+
+} // namespace program
+
+#endif

@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Report.h"
+
+#include "Picture.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkFieldData.h"
+#include "vtkJetFitting.h"
+#include "vtkPointData.h"
+#include "vtkRidgesArrayNames.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <functional>
+
+namespace names = vtkRidgesArrayNames;
+
+namespace program
+{
+namespace
+{
+
+template <typename... Arguments>
+std::string Format(const char* format, Arguments... arguments)
+{
+  char text[256];
+  std::snprintf(text, sizeof(text), format, arguments...);
+  return text;
+}
+
+std::string Count(vtkIdType number, const char* noun)
+{
+  return std::to_string(number) + " " + noun + (number == 1 ? "" : "s");
+}
+
+void PrintRow(std::ostream& os, const char* title, const std::string& text)
+{
+  os << Format("%-9s", title) << text << "\n";
+}
+
+vtkIdType CountIf(vtkDataArray* array, const std::function<bool(double)>& condition)
+{
+  vtkIdType count = 0;
+  for (vtkIdType i = 0; array && i < array->GetNumberOfTuples(); ++i)
+  {
+    count += condition(array->GetTuple1(i)) ? 1 : 0;
+  }
+  return count;
+}
+
+/// Edges of one triangle, and of more than two.
+vtkIdType CountBorderEdges(vtkPolyData* mesh)
+{
+  std::vector<std::pair<vtkIdType, vtkIdType>> edges;
+  edges.reserve(3 * static_cast<std::size_t>(mesh->GetNumberOfPolys()));
+  vtkIdType size = 0;
+  const vtkIdType* corners = nullptr;
+  for (mesh->GetPolys()->InitTraversal(); mesh->GetPolys()->GetNextCell(size, corners);)
+  {
+    for (vtkIdType i = 0; i < size; ++i)
+    {
+      edges.push_back(std::minmax({ corners[i], corners[(i + 1) % size] }));
+    }
+  }
+  std::sort(edges.begin(), edges.end());
+  vtkIdType count = 0;
+  for (auto first = edges.begin(); first != edges.end();)
+  {
+    const auto last =
+      std::find_if(first, edges.end(), [&](const auto& edge) { return edge != *first; });
+    count += last - first == 2 ? 0 : 1;
+    first = last;
+  }
+  return count;
+}
+
+double FieldValue(vtkPolyData* data, const char* name)
+{
+  vtkDataArray* array = data->GetFieldData()->GetArray(name);
+  return array && array->GetNumberOfTuples() > 0 ? array->GetTuple1(0) : 0.0;
+}
+
+/// Halves as such: "2", "-1/2", "5/2".
+std::string Halves(double value)
+{
+  const long twice = std::lround(2.0 * value);
+  return twice % 2 == 0 ? std::to_string(twice / 2) : std::to_string(twice) + "/2";
+}
+
+void PrintMesh(std::ostream& os, const Results& results, vtkIdType borderEdges)
+{
+  PrintRow(os, "mesh",
+    results.name + ": " + Count(results.mesh->GetNumberOfPoints(), "point") + ", " +
+      Count(results.mesh->GetNumberOfPolys(), "triangle") + ", " +
+      (borderEdges == 0 ? std::string("closed")
+                        : "with a border of " + Count(borderEdges, "edge")));
+  vtkDataArray* status = results.mesh->GetPointData()->GetArray(names::FitStatus);
+  const std::pair<int, const char*> bits[] = {
+    { vtkJetFitting::FIT_BOUNDARY, "on the border" },
+    { vtkJetFitting::FIT_TOO_FEW_POINTS, "with too few neighbours" },
+    { vtkJetFitting::FIT_ILL_CONDITIONED, "ill conditioned" },
+    { vtkJetFitting::FIT_INVALID, "without any fit" },
+  };
+  std::string text;
+  for (const auto& [bit, name] : bits)
+  {
+    const vtkIdType count =
+      CountIf(status, [bit = bit](double value) { return (static_cast<int>(value) & bit) != 0; });
+    if (count > 0)
+    {
+      text += (text.empty() ? "" : ", ") + std::to_string(count) + " " + name;
+    }
+  }
+  if (!text.empty())
+  {
+    PrintRow(os, "degraded", "points " + text);
+  }
+}
+
+void PrintUmbilics(std::ostream& os, const Results& results, bool isClosed)
+{
+  vtkDataArray* index = results.umbilics->GetPointData()->GetArray(names::Index);
+  PrintRow(os, "umbilics",
+    Format("+1/2: %lld, -1/2: %lld",
+      static_cast<long long>(CountIf(index, [](double value) { return value > 0.0; })),
+      static_cast<long long>(CountIf(index, [](double value) { return value < 0.0; }))));
+  const double sum = FieldValue(results.mesh, names::UmbilicIndexSum);
+  const double characteristic = FieldValue(results.mesh, names::EulerCharacteristic);
+  std::string text = "index sum " + Halves(sum);
+  if (sum == characteristic)
+  {
+    text += " = Euler characteristic";
+  }
+  else
+  {
+    text += ", Euler characteristic " + Halves(characteristic);
+    text += isClosed ? ": they differ, some umbilics are missed or false"
+                     : ": they may differ, as the mesh has a border";
+  }
+  PrintRow(os, "", text);
+}
+
+void PrintRidges(std::ostream& os, const Results& results)
+{
+  vtkCellData* data = results.ridges->GetCellData();
+  vtkDataArray* type = data->GetArray(names::RidgeType);
+  vtkDataArray* length = data->GetArray(names::Length);
+  vtkDataArray* crest = data->GetArray(names::Crest);
+  const vtkIdType lines = results.ridges->GetNumberOfCells();
+  os << "\n" << Format("%-30s %8s %12s\n", "ridges", "lines", "length");
+  const auto row =
+    [&](const char* name, const char* color, const std::function<bool(vtkIdType)>& isMeant)
+  {
+    long long count = 0;
+    double sum = 0.0;
+    for (vtkIdType i = 0; type && length && i < lines; ++i)
+    {
+      count += isMeant(i) ? 1 : 0;
+      sum += isMeant(i) ? length->GetTuple1(i) : 0.0;
+    }
+    if (count > 0 || *name != 'u')
+    {
+      os << Format("  %-20s %-7s %8lld %12.5g\n", name, color, count, sum);
+    }
+  };
+  for (const RidgeStyle& style : RidgeStyles)
+  {
+    row(style.name, style.colorName,
+      [&](vtkIdType i) { return static_cast<int>(type->GetTuple1(i)) == style.type; });
+  }
+  row("of them crest lines", "", [&](vtkIdType i) { return crest && crest->GetTuple1(i) != 0.0; });
+  const vtkIdType left = results.allRidges->GetNumberOfCells() - lines;
+  if (left > 0)
+  {
+    os << "  " << Count(left, "more line") << " the filter left out\n";
+  }
+}
+
+} // namespace
+
+void PrintReport(std::ostream& os, const Results& results,
+  const std::vector<Stages::Duration>& durations, const std::vector<std::string>& filesWritten)
+{
+  const vtkIdType borderEdges = CountBorderEdges(results.mesh);
+  PrintMesh(os, results, borderEdges);
+  PrintUmbilics(os, results, borderEdges == 0);
+  PrintRidges(os, results);
+  os << "\n";
+  std::string text;
+  for (const auto& [name, seconds] : durations)
+  {
+    text += (text.empty() ? "" : ", ") + name + Format(" %.2f", seconds);
+  }
+  PrintRow(os, "seconds", text);
+  const char* title = "written";
+  for (const std::string& file : filesWritten)
+  {
+    PrintRow(os, title, file);
+    title = "";
+  }
+}
+
+} // namespace program

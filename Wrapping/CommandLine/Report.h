@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef Report_h
+#define Report_h
+
+#include "Console.h"
+
+#include "vtkPolyData.h"
+
+#include <ostream>
+#include <string>
+#include <vector>
+
+namespace program
+{
+
+/// What the job made.
+struct Results
+{
+  std::string name;      ///< Of the mesh.
+  vtkPolyData* mesh;     ///< With the arrays of the jet fitting and the umbilics.
+  vtkPolyData* umbilics; ///< A vertex each.
+  vtkPolyData* allRidges;
+  vtkPolyData* ridges; ///< Those that the filter kept.
+};
+
+/// Prints the table at the end of the job.
+void PrintReport(std::ostream& os, const Results& results,
+  const std::vector<Stages::Duration>& durations, const std::vector<std::string>& filesWritten);
+
+} // namespace program
+
+#endif
