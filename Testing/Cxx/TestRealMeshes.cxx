@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Scanned, designed and dirty meshes, as CGAL is distributed with: whatever is in them, the
+// pipeline runs through, nothing is NaN, and ridges end only where they may.
+
+#include "FilterTestTools.h"
+#include "OffReader.h"
+#include "RidgeGraph.h"
+
+#include "vtkCellArray.h"
+#include "vtkPointData.h"
+#include "vtkRidgesArrayNames.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <string>
+
+using namespace ridges::testing;
+namespace names = vtkRidgesArrayNames;
+
+namespace
+{
+
+class RealMeshes : public ::testing::TestWithParam<const char*>
+{
+protected:
+  void SetUp() override
+  {
+    this->Path = std::string(RIDGES_MESH_DIRECTORY) + "/" + this->GetParam() + ".off";
+    if (!std::ifstream(this->Path))
+    {
+      GTEST_SKIP() << this->Path << " is not there";
+    }
+  }
+
+  std::string Path;
+};
+
+double ShareOfInvalidPoints(vtkPolyData* fitted)
+{
+  double invalid = 0.0;
+  for (vtkIdType p = 0; p < fitted->GetNumberOfPoints(); ++p)
+  {
+    invalid += static_cast<int>(Value(fitted->GetPointData(), names::FitStatus, p)) & 8 ? 1.0 : 0.0;
+  }
+  return invalid / static_cast<double>(fitted->GetNumberOfPoints());
+}
+
+class CleanMeshes : public RealMeshes
+{
+};
+
+void ExpectSoundRidges(const Outputs& outputs)
+{
+  EXPECT_EQ(outputs.errors, "");
+  ExpectAllFinite(outputs.fitted);
+  ExpectAllFinite(outputs.umbilics);
+  ExpectAllFinite(outputs.ridges);
+  ExpectCompleteRidgeGraph(outputs.marked, outputs.ridges);
+  ExpectJoinedPolylines(outputs.ridges);
+}
+
+} // namespace
+
+TEST_P(CleanMeshes, AreFittedEverywhere)
+{
+  const Outputs outputs = RunFilters(program::ReadOff(this->Path));
+  EXPECT_EQ(ShareOfInvalidPoints(outputs.fitted), 0.0);
+  EXPECT_GT(outputs.ridges->GetNumberOfLines(), 0);
+  EXPECT_GT(outputs.umbilics->GetNumberOfPoints(), 0);
+  ExpectSoundRidges(outputs);
+}
+
+TEST_P(RealMeshes, RunThroughAndEndRidgesOnlyWhereTheyMay)
+{
+  ExpectSoundRidges(RunFilters(program::ReadOff(this->Path)));
+}
+
+INSTANTIATE_TEST_SUITE_P(Scans, CleanMeshes, ::testing::Values("bunny00", "mannequin-devil"));
+
+// Sharp edges, holes, isolated points, non-manifold edges, soups, thin walls.
+INSTANTIATE_TEST_SUITE_P(Dirty, RealMeshes,
+  ::testing::Values("3torus", "ALSTOM_TEST4", "blade", "blobby_3cc", "boeing", "cheese-box",
+    "cross_quad", "cylinder_locally_refined", "degtri_sliding", "elephant-with-holes",
+    "fandisk_large", "mech-holes-shark", "mesh_with_border", "mushroom", "open_cube", "part",
+    "refined_elephant"));

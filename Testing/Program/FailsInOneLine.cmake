@@ -1,0 +1,37 @@
+include("${CMAKE_CURRENT_LIST_DIR}/RunProgram.cmake")
+
+# Meshes that cannot be read
+expect_failure(1 "missing.off does not exist" missing.off --no-picture)
+expect_failure(1 "is a directory" "${DIRECTORY}" --no-picture)
+foreach (extension IN ITEMS off obj ply stl vtk vtp txt)
+  file(WRITE "${DIRECTORY}/junk.${extension}" "junk\n")
+  expect_failure(1 "junk.${extension}" junk.${extension} --no-picture)
+  file(REMOVE "${DIRECTORY}/junk.${extension}")
+endforeach ()
+file(WRITE "${DIRECTORY}/mesh.off" "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 7\n")
+expect_failure(1 "mesh.off, line 6: there is no vertex 7" mesh.off --no-picture)
+file(WRITE "${DIRECTORY}/mesh.off" "OFF\n3 0 0\n0 0 0\n1 0 0\n0 1 0\n")
+expect_failure(1 "mesh.off has no triangles" mesh.off --no-picture)
+file(REMOVE "${DIRECTORY}/mesh.off")
+
+# Filters that cannot work
+set(example --frequency 8 --no-picture)
+expect_failure(1 "umbilics failed: [^\n]*ThirdOrder" ${example} --monge-order 2)
+expect_failure(1 "ridges failed: [^\n]*FourthOrder" ${example} --monge-order 3)
+
+# Files that cannot be written
+expect_failure(1 "there is no directory nowhere" ${example} --output nowhere/x)
+expect_files()
+file(MAKE_DIRECTORY "${DIRECTORY}/x-umbilics.vtp")
+expect_failure(1 "x-umbilics.vtp cannot be written" ${example} --output x)
+expect_files(x-umbilics.vtp)
+file(REMOVE_RECURSE "${DIRECTORY}/x-umbilics.vtp")
+if (EXISTS /dev/full)
+  file(CREATE_LINK /dev/full "${DIRECTORY}/x-ridges.vtp" SYMBOLIC)
+  expect_failure(1 "x-ridges.vtp cannot be written" ${example} --output x)
+  file(REMOVE "${DIRECTORY}/x-ridges.vtp")
+endif ()
+file(WRITE "${DIRECTORY}/x-mesh.vtp" "")
+expect_failure(1 "would overwrite the mesh" x-mesh.vtp --no-picture --output x --write-mesh)
+file(REMOVE "${DIRECTORY}/x-mesh.vtp")
+expect_files()

@@ -1,0 +1,171 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The filters through Python: pipeline, numpy access, properties, documentation."""
+
+import unittest
+
+import numpy as np
+from vtkmodules.numpy_interface import dataset_adapter
+from vtkmodules.util.numpy_support import vtk_to_numpy
+
+import vtkridges
+from vtkridges import (
+    vtkJetFitting,
+    vtkRidgeExampleSource,
+    vtkRidgeExtraction,
+    vtkRidgeSharpnessFilter,
+    vtkUmbilicDetection,
+)
+
+
+class Chain:
+    """Example surface, fit, umbilics, ridges and selection, with default ports."""
+
+    def __init__(self, surface, frequency):
+        self.source = vtkRidgeExampleSource()
+        self.source.SetSurface(surface)
+        self.source.SetFrequency(frequency)
+        self.jets = vtkJetFitting()
+        self.umbilics = vtkUmbilicDetection()
+        self.ridges = vtkRidgeExtraction()
+        self.sharpness = vtkRidgeSharpnessFilter()
+        self.sharpness.SetMinimumSharpness(10.0)
+        stages = [self.source, self.jets, self.umbilics, self.ridges, self.sharpness]
+        for stage, following in zip(stages, stages[1:]):
+            following.SetInputConnection(stage.GetOutputPort())
+        self.sharpness.Update()
+
+
+def point_array(data, name):
+    return vtk_to_numpy(data.GetPointData().GetArray(name))
+
+
+def cell_array(data, name):
+    return vtk_to_numpy(data.GetCellData().GetArray(name))
+
+
+class TestPackage(unittest.TestCase):
+    def test_exports_every_class(self):
+        expected = {
+            "vtkJetFitting",
+            "vtkRidgeExampleSource",
+            "vtkRidgeExtraction",
+            "vtkRidgeSharpnessFilter",
+            "vtkUmbilicDetection",
+        }
+        self.assertLessEqual(expected, set(vtkridges.__all__))
+
+    def test_has_a_version(self):
+        self.assertRegex(vtkridges.__version__, r"^\d+\.\d+\.\d+$")
+
+    def test_documentation_comes_along(self):
+        for name in vtkridges.__all__:
+            self.assertGreater(len(getattr(vtkridges, name).__doc__), 100, name)
+        self.assertIn("ThirdOrder", vtkJetFitting.__doc__)
+        self.assertIn("Default 18", vtkJetFitting.SetMinimumNumberOfPoints.__doc__)
+
+
+class TestProperties(unittest.TestCase):
+    def test_enumerations(self):
+        jets = vtkJetFitting()
+        jets.SetNeighborhood(vtkJetFitting.BY_RINGS)
+        self.assertEqual(jets.GetNeighborhoodAsString(), "Rings")
+        jets.SetNeighborhoodToRadius()
+        self.assertEqual(jets.GetNeighborhood(), vtkJetFitting.BY_RADIUS)
+        self.assertEqual(vtkJetFitting.FIT_INVALID, 8)
+        self.assertEqual(vtkRidgeExtraction.MINIMUM_HYPERBOLIC, 4)
+
+    def test_booleans(self):
+        extraction = vtkRidgeExtraction()
+        extraction.SetCrestOnly(True)
+        self.assertIs(extraction.GetCrestOnly(), True)
+        extraction.CrestOnlyOff()
+        self.assertIs(extraction.GetCrestOnly(), False)
+
+    def test_numbers_are_clamped(self):
+        jets = vtkJetFitting()
+        jets.SetDegree(17)
+        self.assertEqual(jets.GetDegree(), 4)
+
+    def test_vectors(self):
+        source = vtkRidgeExampleSource()
+        source.SetSemiAxes((3.0, 2.0, 1.0))
+        self.assertEqual(source.GetSemiAxes(), (3.0, 2.0, 1.0))
+
+    def test_printing_tells_the_properties(self):
+        self.assertIn("PatchSize: 2", str(vtkUmbilicDetection()))
+
+
+class TestEllipsoid(unittest.TestCase):
+    a, b, c = 1.4, 1.0, 0.6
+
+    @classmethod
+    def setUpClass(cls):
+        cls.chain = Chain(vtkRidgeExampleSource.ELLIPSOID, 32)
+
+    def test_curvatures_lie_between_those_at_the_tips(self):
+        fitted = self.chain.jets.GetOutput()
+        k1 = point_array(fitted, "MaximumCurvature")
+        k2 = point_array(fitted, "MinimumCurvature")
+        # Largest and smallest normal curvature; the fit is right to 3e-4 at this resolution.
+        self.assertGreater(k2.min(), -self.a / self.c**2 - 1e-3)
+        self.assertLess(k1.max(), -self.c / self.a**2 + 1e-3)
+        self.assertTrue(np.all(k1 >= k2))
+
+    def test_umbilics_are_at_their_places(self):
+        umbilics = self.chain.umbilics.GetOutput(1)
+        self.assertEqual(umbilics.GetNumberOfPoints(), 4)
+        np.testing.assert_array_equal(point_array(umbilics, "Index"), 0.5)
+        a2, b2, c2 = self.a**2, self.b**2, self.c**2
+        x = self.a * np.sqrt((a2 - b2) / (a2 - c2))
+        z = self.c * np.sqrt((b2 - c2) / (a2 - c2))
+        points = np.abs(vtk_to_numpy(umbilics.GetPoints().GetData()))
+        # Within the mean edge length of the mesh.
+        np.testing.assert_allclose(points, [[x, 0.0, z]] * 4, atol=0.035)
+
+    def test_ridges_lie_in_the_planes_of_symmetry(self):
+        ridges = self.chain.ridges.GetOutput()
+        self.assertEqual(ridges.GetNumberOfLines(), 6)
+        points = vtk_to_numpy(ridges.GetPoints().GetData())
+        # A third of the mean edge length.
+        self.assertLess(np.abs(points).min(axis=1).max(), 0.012)
+        self.assertEqual(sorted(cell_array(ridges, "RidgeType")), [1, 2, 2, 3, 4, 4])
+
+    def test_numpy_interface_reads_the_arrays(self):
+        adapted = dataset_adapter.WrapDataObject(self.chain.umbilics.GetOutput(0))
+        self.assertEqual(adapted.PointData["ThirdOrder"].shape, (10242, 4))
+        self.assertEqual(adapted.FieldData["UmbilicIndexSum"][0], 2.0)
+        self.assertEqual(adapted.FieldData["EulerCharacteristic"][0], 2)
+        self.assertEqual(set(adapted.CellData["UmbilicPatch"]), {-1, 0, 1, 2, 3})
+
+
+class TestBlend(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.chain = Chain(vtkRidgeExampleSource.BLEND, 63)
+
+    def test_six_and_two_umbilics(self):
+        index = point_array(self.chain.umbilics.GetOutput(1), "Index")
+        self.assertEqual(sorted(index), [-0.5] * 2 + [0.5] * 6)
+
+    def test_ridge_points_lie_on_their_edges(self):
+        ridges = self.chain.ridges.GetOutput()
+        mesh = vtk_to_numpy(self.chain.source.GetOutput().GetPoints().GetData())
+        p = point_array(ridges, "EdgePoint0")
+        q = point_array(ridges, "EdgePoint1")
+        t = point_array(ridges, "EdgeParameter")[:, np.newaxis]
+        on_edge = p >= 0
+        expected = (1 - t) * mesh[p] + t * mesh[q]
+        points = vtk_to_numpy(ridges.GetPoints().GetData())
+        # Round-off of coordinates below 0.4.
+        np.testing.assert_allclose(points[on_edge], expected[on_edge], rtol=0, atol=1e-15)
+        self.assertEqual(np.count_nonzero(~on_edge), 8)
+
+    def test_selection_keeps_what_is_sharp(self):
+        sharp = cell_array(self.chain.sharpness.GetOutput(), "Sharpness")
+        every = cell_array(self.chain.ridges.GetOutput(), "Sharpness")
+        np.testing.assert_array_equal(sharp, every[every >= 10.0])
+        self.assertTrue(0 < len(sharp) < len(every))
+
+
+if __name__ == "__main__":
+    unittest.main()
