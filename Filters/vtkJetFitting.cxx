@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkJetFitting.h"
 
+#include "Core/JetBatch.h"
+#include "Core/JetBatchFiller.h"
 #include "Core/JetFit.h"
 #include "Core/MongeForm.h"
+#include "Core/OrderedRings.h"
 #include "Core/RingNeighborhood.h"
 #include "vtkRidgesArrayNames.h"
 #include "vtkRidgesBatches.h"
@@ -37,57 +40,43 @@ static_assert(static_cast<int>(vtkJetFitting::FIT_BOUNDARY) == ridges::FitBounda
 namespace
 {
 
-/// The arrays that come out, one tuple per point.
-struct MongeOutput
+/// The arrays that come out, one tuple per point, each point to be stored once.
+class MongeOutput
 {
-  explicit MongeOutput(vtkIdType count, int order)
-    : Order(order)
+public:
+  MongeOutput(vtkIdType count, int order)
   {
-    this->Prepare(this->Normals, names::Normals, 3, count);
-    if (order >= 2)
-    {
-      this->Prepare(this->MaximumCurvature, names::MaximumCurvature, 1, count);
-      this->Prepare(this->MinimumCurvature, names::MinimumCurvature, 1, count);
-      this->Prepare(this->MaximumDirection, names::MaximumDirection, 3, count);
-      this->Prepare(this->MinimumDirection, names::MinimumDirection, 3, count);
-    }
-    if (order >= 3)
-    {
-      this->Prepare(this->ThirdOrder, names::ThirdOrder, 4, count, "b");
-    }
-    if (order >= 4)
-    {
-      this->Prepare(this->FourthOrder, names::FourthOrder, 5, count, "c");
-      this->Prepare(this->P1, names::P1, 1, count);
-      this->Prepare(this->P2, names::P2, 1, count);
-    }
-    this->Prepare(this->ConditionNumber, names::FitConditionNumber, 1, count);
-    this->Prepare(this->Residual, names::FitResidual, 1, count);
-    this->Status->SetName(names::FitStatus);
-    this->Status->SetNumberOfTuples(count);
-    this->Status->Fill(vtkJetFitting::FIT_INVALID);
+    this->Add(this->Normals, names::Normals, 3, count, order >= 1);
+    this->Add(this->MaximumCurvature, names::MaximumCurvature, 1, count, order >= 2);
+    this->Add(this->MinimumCurvature, names::MinimumCurvature, 1, count, order >= 2);
+    this->Add(this->MaximumDirection, names::MaximumDirection, 3, count, order >= 2);
+    this->Add(this->MinimumDirection, names::MinimumDirection, 3, count, order >= 2);
+    this->Add(this->ThirdOrder, names::ThirdOrder, 4, count, order >= 3, "b");
+    this->Add(this->FourthOrder, names::FourthOrder, 5, count, order >= 4, "c");
+    this->Add(this->P1, names::P1, 1, count, order >= 4);
+    this->Add(this->P2, names::P2, 1, count, order >= 4);
+    this->Add(this->ConditionNumber, names::FitConditionNumber, 1, count, true);
+    this->Add(this->Residual, names::FitResidual, 1, count, true);
+    this->StatusArray->SetName(names::FitStatus);
+    this->StatusArray->SetNumberOfTuples(count);
+    this->Status = this->StatusArray->GetPointer(0);
   }
 
-  void Store(vtkIdType p, const ridges::MongeForm& form)
+  void Store(
+    vtkIdType p, const ridges::MongeForm& form, double conditionNumber, double residual, int status)
   {
-    this->Normals->SetTuple(p, form.n.data());
-    if (this->Order >= 2)
-    {
-      this->MaximumCurvature->SetValue(p, form.k1);
-      this->MinimumCurvature->SetValue(p, form.k2);
-      this->MaximumDirection->SetTuple(p, form.d1.data());
-      this->MinimumDirection->SetTuple(p, form.d2.data());
-    }
-    if (this->Order >= 3)
-    {
-      this->ThirdOrder->SetTuple(p, form.b.data());
-    }
-    if (this->Order >= 4)
-    {
-      this->FourthOrder->SetTuple(p, form.c.data());
-      this->P1->SetValue(p, form.P1());
-      this->P2->SetValue(p, form.P2());
-    }
+    Put(this->Normals, p, form.n);
+    Put(this->MaximumDirection, p, form.d1);
+    Put(this->MinimumDirection, p, form.d2);
+    Put(this->ThirdOrder, p, form.b);
+    Put(this->FourthOrder, p, form.c);
+    Put(this->MaximumCurvature, p, form.k1);
+    Put(this->MinimumCurvature, p, form.k2);
+    Put(this->P1, p, form.P1());
+    Put(this->P2, p, form.P2());
+    Put(this->ConditionNumber, p, conditionNumber);
+    Put(this->Residual, p, residual);
+    this->Status[p] = status;
   }
 
   void AddTo(vtkPointData* pointData)
@@ -99,35 +88,58 @@ struct MongeOutput
     {
       pointData->RemoveArray(name);
     }
-    for (const auto& array : this->Prepared)
+    for (const auto& array : this->Arrays)
     {
       pointData->AddArray(array);
     }
-    pointData->AddArray(this->Status);
+    pointData->AddArray(this->StatusArray);
     pointData->SetActiveNormals(names::Normals);
   }
 
-  vtkNew<vtkDoubleArray> Normals, MaximumCurvature, MinimumCurvature, MaximumDirection,
-    MinimumDirection, ThirdOrder, FourthOrder, P1, P2, ConditionNumber, Residual;
-  vtkNew<vtkIntArray> Status;
+  vtkIntArray* GetStatus() { return this->StatusArray; }
 
 private:
-  void Prepare(vtkDoubleArray* array, const char* name, int components, vtkIdType count,
+  void Add(double*& values, const char* name, int components, vtkIdType count, bool wanted,
     const char* componentPrefix = nullptr)
   {
-    array->SetName(name);
-    array->SetNumberOfComponents(components);
-    for (int i = 0; componentPrefix && i < components; ++i)
+    values = nullptr;
+    if (wanted)
     {
-      array->SetComponentName(i, (componentPrefix + std::to_string(i)).c_str());
+      vtkNew<vtkDoubleArray> array;
+      array->SetName(name);
+      array->SetNumberOfComponents(components);
+      for (int i = 0; componentPrefix && i < components; ++i)
+      {
+        array->SetComponentName(i, (componentPrefix + std::to_string(i)).c_str());
+      }
+      array->SetNumberOfTuples(count);
+      values = array->GetPointer(0);
+      this->Arrays.emplace_back(array);
     }
-    array->SetNumberOfTuples(count);
-    array->Fill(0.0);
-    this->Prepared.emplace_back(array);
   }
 
-  int Order;
-  std::vector<vtkSmartPointer<vtkDoubleArray>> Prepared;
+  template <typename Tuple>
+  static void Put(double* values, vtkIdType p, const Tuple& tuple)
+  {
+    if (values)
+    {
+      const auto size = static_cast<vtkIdType>(tuple.size());
+      std::copy_n(tuple.data(), size, values + p * size);
+    }
+  }
+  static void Put(double* values, vtkIdType p, double value)
+  {
+    if (values)
+    {
+      values[p] = value;
+    }
+  }
+
+  double *Normals, *MaximumCurvature, *MinimumCurvature, *MaximumDirection, *MinimumDirection,
+    *ThirdOrder, *FourthOrder, *P1, *P2, *ConditionNumber, *Residual;
+  int* Status;
+  std::vector<vtkSmartPointer<vtkDoubleArray>> Arrays;
+  vtkNew<vtkIntArray> StatusArray;
 };
 
 /// Marks of an earlier vtkUmbilicDetection do not belong to this fit.
@@ -154,15 +166,33 @@ bool IsFinite(const ridges::MongeForm& form)
     std::all_of(form.c.begin(), form.c.end(), finite);
 }
 
-struct FitPoints
+struct BuildRings
 {
-  FitPoints(const ridges::TriangleMesh& mesh, const ridges::NeighborhoodRule& rule, int degree,
-    MongeOutput& output)
+  ridges::OrderedRings& Rings;
+
+  void operator()(vtkIdType begin, vtkIdType end)
+  {
+    this->Rings.Build(static_cast<ridges::Id>(begin), static_cast<ridges::Id>(end));
+  }
+};
+
+class FitPoints
+{
+public:
+  FitPoints(const ridges::TriangleMesh& mesh, const ridges::OrderedRings& rings,
+    const ridges::NeighborhoodRule& rule, int degree, MongeOutput& output)
     : Mesh(mesh)
+    , Rings(rings)
     , Rule(rule)
     , Degree(degree)
     , Output(output)
   {
+    // The batches know degrees 2 to 4; whatever they cannot do is done point by point.
+    const std::vector<ridges::JetBatchKernel>& kernels = ridges::JetBatchKernels();
+    if (degree >= 2 && !kernels.empty())
+    {
+      this->Kernel = &kernels.front();
+    }
   }
 
   void operator()(vtkIdType begin, vtkIdType end)
@@ -170,25 +200,68 @@ struct FitPoints
     std::shared_ptr<Scratch>& scratch = this->PerThread.Local();
     if (!scratch)
     {
-      scratch = std::make_shared<Scratch>(this->Mesh);
+      scratch = std::make_shared<Scratch>(*this);
     }
     for (vtkIdType p = begin; p < end; ++p)
     {
-      this->FitPoint(static_cast<ridges::Id>(p), *scratch);
+      this->Take(static_cast<ridges::Id>(p), *scratch);
     }
+    this->FitBatch(*scratch);
   }
 
 private:
   struct Scratch
   {
-    explicit Scratch(const ridges::TriangleMesh& mesh)
-      : Neighborhood(mesh)
+    explicit Scratch(const FitPoints& fit)
+      : Neighborhood(fit.Mesh, fit.Rings)
+      , Batch(fit.Degree, fit.Kernel ? fit.Kernel->lanes : 1)
     {
     }
     ridges::RingNeighborhood Neighborhood;
     ridges::JetFitter Fitter;
+    ridges::JetBatchFiller Batch;
     Eigen::Matrix3Xd Offsets;
   };
+
+  /// Into the batch with it if it fits there, else it is fitted at once.
+  void Take(ridges::Id p, Scratch& scratch)
+  {
+    const auto points = scratch.Neighborhood.Gather(p, this->Rule);
+    if (!this->Kernel || !scratch.Batch.Add(this->Mesh, p, points))
+    {
+      this->FitAlone(p, scratch);
+    }
+    else if (scratch.Batch.IsFull())
+    {
+      this->FitBatch(scratch);
+    }
+  }
+
+  void FitBatch(Scratch& scratch)
+  {
+    if (scratch.Batch.IsEmpty())
+    {
+      return;
+    }
+    this->Kernel->fit(scratch.Batch.Complete());
+    for (int lane = 0; lane < scratch.Batch.Size(); ++lane)
+    {
+      const ridges::Id p = scratch.Batch.Vertex(lane);
+      ridges::MongeForm form;
+      double conditionNumber = 0.0;
+      double residual = 0.0;
+      const bool good = scratch.Batch.Result(lane, form, conditionNumber, residual);
+      if (good && conditionNumber <= GrowAbove)
+      {
+        this->Store(p, form, conditionNumber, residual, ridges::FitGood);
+      }
+      else
+      {
+        this->FitAlone(p, scratch);
+      }
+    }
+    scratch.Batch.Clear();
+  }
 
   ridges::JetFit Fit(ridges::Id p, ridges::Span<ridges::Id> points, Scratch& scratch) const
   {
@@ -201,55 +274,68 @@ private:
     return scratch.Fitter.Fit(scratch.Offsets, this->Degree, this->Mesh.PointNormal(p));
   }
 
-  void FitPoint(ridges::Id p, Scratch& scratch)
+  void FitAlone(ridges::Id p, Scratch& scratch)
   {
     // One-sided neighbourhoods may hold enough points in too few rows: a few rings more help.
     // Where the user has said how many rings, or how far, it stays at that.
-    constexpr double growAbove = 2000.0;
     constexpr int mostRingsAdded = 4;
     ridges::JetFit fit = this->Fit(p, scratch.Neighborhood.Gather(p, this->Rule), scratch);
     const bool mayGrow = this->Rule.kind == ridges::NeighborhoodRule::Kind::PointCount;
-    for (int added = 0; mayGrow && added < mostRingsAdded && fit.conditionNumber > growAbove;
+    for (int added = 0; mayGrow && added < mostRingsAdded && fit.conditionNumber > GrowAbove;
          ++added)
     {
       fit = this->Fit(p, scratch.Neighborhood.Grow(), scratch);
     }
 
-    int status = fit.status | (this->Mesh.OnBorder(p) ? ridges::FitBoundary : 0);
     // Less than a quadric says nothing of curvature, unless a plane was all that was asked for.
+    int status = fit.status;
     if (fit.degree < std::min(2, this->Degree))
     {
       status |= ridges::FitInvalid;
     }
+    ridges::MongeForm form;
     if (!(status & ridges::FitInvalid))
     {
-      const ridges::MongeForm form = ridges::MongeFormOfHeightJet(fit.jet, fit.frame);
-      if (IsFinite(form) && std::isfinite(fit.residual))
-      {
-        this->Output.Store(p, form);
-        this->Output.ConditionNumber->SetValue(p, fit.conditionNumber);
-        this->Output.Residual->SetValue(p, fit.residual);
-      }
-      else
-      {
-        status |= ridges::FitInvalid;
-      }
+      form = ridges::MongeFormOfHeightJet(fit.jet, fit.frame);
     }
-    this->Output.Status->SetValue(p, status);
+    this->Store(p, form, fit.conditionNumber, fit.residual, status);
   }
 
+  void Store(ridges::Id p, const ridges::MongeForm& form, double conditionNumber, double residual,
+    int status)
+  {
+    status |= this->Rings.OnBorder(p) ? ridges::FitBoundary : 0;
+    if (!(status & ridges::FitInvalid) && IsFinite(form) && std::isfinite(residual))
+    {
+      this->Output.Store(p, form, conditionNumber, residual, status);
+    }
+    else
+    {
+      this->Output.Store(p, ridges::MongeForm(), 0.0, 0.0, status | ridges::FitInvalid);
+    }
+  }
+
+  static constexpr double GrowAbove = 2000.0;
+
   const ridges::TriangleMesh& Mesh;
+  const ridges::OrderedRings& Rings;
   ridges::NeighborhoodRule Rule;
   int Degree;
   MongeOutput& Output;
+  const ridges::JetBatchKernel* Kernel = nullptr;
   // Shared, as vtkSMPThreadLocal copies the (empty) value it starts from.
   vtkSMPThreadLocal<std::shared_ptr<Scratch>> PerThread;
 };
 
 /// One text for all that is wrong with the mesh or the fits; empty if all is well.
-std::string Complaint(const vtkRidgesMesh& mesh, vtkIntArray* status)
+std::string Complaint(vtkRidgesMesh& mesh, const ridges::OrderedRings& rings, vtkIntArray* status)
 {
+  // Edges are at fault only where fans are.
   const ridges::TriangleMesh& triangles = mesh.GetTriangles();
+  if (rings.HasIrregular())
+  {
+    mesh.BuildEdges();
+  }
   const auto count = [status](int bit)
   {
     vtkIdType sum = 0;
@@ -326,19 +412,22 @@ int vtkJetFitting::RequestData(
   rule.radius = this->Radius;
 
   vtkRidgesMesh mesh;
-  if (!mesh.Build(input))
+  if (!mesh.Build(input, {}, ridges::TriangleMesh::Edges::NotBuilt))
   {
     vtkErrorMacro("The mesh has more points or triangles than 32-bit numbering allows.");
     return 0;
   }
   const vtkIdType count = mesh.GetPolyData()->GetNumberOfPoints();
   MongeOutput arrays(count, std::min(this->MongeOrder, this->Degree));
-  FitPoints fitPoints(mesh.GetTriangles(), rule, this->Degree, arrays);
-  if (!vtkRidgesForBatches(this, count, 0.1, 1.0, fitPoints))
+  ridges::OrderedRings rings(mesh.GetTriangles());
+  BuildRings buildRings{ rings };
+  FitPoints fitPoints(mesh.GetTriangles(), rings, rule, this->Degree, arrays);
+  if (!vtkRidgesForBatches(this, count, 0.1, 0.2, buildRings) ||
+    !vtkRidgesForBatches(this, count, 0.2, 1.0, fitPoints))
   {
     return 1;
   }
-  const std::string complaint = Complaint(mesh, arrays.Status);
+  const std::string complaint = Complaint(mesh, rings, arrays.GetStatus());
   if (!complaint.empty())
   {
     vtkWarningMacro(<< complaint << ".");

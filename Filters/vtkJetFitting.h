@@ -33,14 +33,19 @@
  * outward normals has k1 = k2 = -1/r. vtkCurvatures has the opposite sign.
  *
  * Method: jet fitting. The neighbourhood's principal axes give the height direction, the point
- * itself the origin; offsets are scaled by the neighbourhood's radius and the least squares is
- * solved by a column-pivoted orthogonal decomposition. On a smooth surface sampled at distance h
- * the error of k is of the order of h^(Degree - 1), that of b h^(Degree - 2), that of c
- * h^(Degree - 3), and one order better on regular samplings where errors of odd degree cancel.
+ * itself the origin; offsets are scaled by the neighbourhood's radius. Several points are fitted at
+ * once, one in each lane of a vector register, by refined normal equations, which are as accurate
+ * as an orthogonal decomposition; points whose pivots tell that they would not be are fitted one by
+ * one by a column-pivoted one. The instruction set is chosen at run time. On a smooth surface
+ * sampled at distance h the error of k is of the order of h^(Degree - 1), that of b h^(Degree - 2),
+ * that of c h^(Degree - 3), and one order better on regular samplings where errors of odd degree
+ * cancel.
  *
- * Guarantees: the result does not depend on the number of threads, nor on the numbering of points
- * and cells; no value is ever NaN: where nothing can be fitted all values are 0 and FitStatus says
- * FIT_INVALID. Polygons and strips are triangulated; verts and lines are passed over.
+ * Guarantees: the same bytes for any number of threads, any SMP back end and any numbering of
+ * points and cells; between machines with and without fused multiply-add k, b and P differ by
+ * round-off (1e-12, 1e-10 and 1e-10 relative, on clean meshes). No value is ever NaN: where nothing
+ * can be fitted all values are 0 and FitStatus says FIT_INVALID. Polygons and strips are
+ * triangulated; verts and lines are passed over.
  *
  * @warning
  * The triangles have to be consistently oriented: flipping the orientation changes the sign of the

@@ -3,7 +3,6 @@
 
 #include "vtkCellArray.h"
 #include "vtkDoubleArray.h"
-#include "vtkIdList.h"
 #include "vtkNew.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
@@ -12,30 +11,53 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
+#include <utility>
 
-bool vtkRidgesMesh::Build(vtkPolyData* input, const std::vector<std::uint8_t>& usable)
+namespace
+{
+
+/// Calls visit(cell, size, points) for each cell, straight from the array's own storage.
+struct ForEachCell
+{
+  template <typename CellState, typename Visitor>
+  void operator()(CellState& state, Visitor& visit)
+  {
+    const auto* offsets = state.GetOffsets()->GetPointer(0);
+    const auto* points = state.GetConnectivity()->GetPointer(0);
+    for (vtkIdType cell = 0; cell < state.GetNumberOfCells(); ++cell)
+    {
+      visit(cell, offsets[cell + 1] - offsets[cell], points + offsets[cell]);
+    }
+  }
+};
+
+} // namespace
+
+void vtkRidgesMesh::CountTriangulatedCells(vtkPolyData* input)
+{
+  vtkIdType polygons = 0;
+  const auto count = [&polygons](vtkIdType, vtkIdType size, const auto*)
+  { polygons += size > 3 ? 1 : 0; };
+  input->GetPolys()->Visit(ForEachCell{}, count);
+  this->NumberOfTriangulatedCells = polygons + input->GetNumberOfStrips();
+}
+
+bool vtkRidgesMesh::Build(
+  vtkPolyData* input, const std::vector<std::uint8_t>& usable, ridges::TriangleMesh::Edges edges)
 {
   // Three corners of every triangle are numbered in 32 bits.
   constexpr vtkIdType largest = std::numeric_limits<ridges::Id>::max() / 3;
 
-  vtkCellArray* polys = input->GetPolys();
-  vtkNew<vtkIdList> corners;
-  vtkIdType polygons = 0;
-  for (vtkIdType cell = 0; cell < polys->GetNumberOfCells(); ++cell)
-  {
-    polygons += polys->GetCellSize(cell) > 3 ? 1 : 0;
-  }
-  this->NumberOfTriangulatedCells = polygons + input->GetNumberOfStrips();
   this->PolyData = input;
+  this->CountTriangulatedCells(input);
   if (this->NumberOfTriangulatedCells > 0)
   {
     vtkNew<vtkTriangleFilter> triangulate;
     triangulate->SetInputData(input);
     triangulate->Update();
     this->PolyData = triangulate->GetOutput();
-    polys = this->PolyData->GetPolys();
   }
+  vtkCellArray* polys = this->PolyData->GetPolys();
   const vtkIdType numberOfPoints = this->PolyData->GetNumberOfPoints();
   if (numberOfPoints > largest || polys->GetNumberOfCells() > largest)
   {
@@ -43,39 +65,35 @@ bool vtkRidgesMesh::Build(vtkPolyData* input, const std::vector<std::uint8_t>& u
   }
 
   this->FetchPoints();
-  const auto isUsable = [&](vtkIdType p)
+  std::vector<std::uint8_t> isUsable(numberOfPoints, 0);
+  for (vtkIdType p = 0; p < numberOfPoints; ++p)
   {
-    return p >= 0 && p < numberOfPoints && (usable.empty() || usable[p] != 0) &&
-      std::all_of(
-        this->Points + 3 * p, this->Points + 3 * p + 3, [](double x) { return std::isfinite(x); });
-  };
-  const vtkIdType firstCell =
-    this->PolyData->GetNumberOfVerts() + this->PolyData->GetNumberOfLines();
+    const double* x = this->Points + 3 * p;
+    const bool finite = std::isfinite(x[0]) && std::isfinite(x[1]) && std::isfinite(x[2]);
+    isUsable[p] = finite && (usable.empty() || usable[p] != 0) ? 1 : 0;
+  }
+  this->FirstPoly = this->PolyData->GetNumberOfVerts() + this->PolyData->GetNumberOfLines();
   std::vector<ridges::Triangle> triangles;
   triangles.reserve(polys->GetNumberOfCells());
-  this->CellIds.clear();
-  this->CellIds.reserve(polys->GetNumberOfCells());
-  for (vtkIdType cell = 0; cell < polys->GetNumberOfCells(); ++cell)
+  this->PolyIds.clear();
+  this->PolyIds.reserve(polys->GetNumberOfCells());
+  const auto add = [&](vtkIdType cell, vtkIdType size, const auto* points)
   {
-    polys->GetCellAtId(cell, corners);
-    if (corners->GetNumberOfIds() != 3)
+    const auto isGood = [&](vtkIdType p) { return p >= 0 && p < numberOfPoints && isUsable[p]; };
+    const bool good = size == 3 && points[0] != points[1] && points[1] != points[2] &&
+      points[2] != points[0] && std::all_of(points, points + 3, isGood);
+    if (good)
     {
-      continue;
+      triangles.push_back({ static_cast<ridges::Id>(points[0]), static_cast<ridges::Id>(points[1]),
+        static_cast<ridges::Id>(points[2]) });
+      this->PolyIds.push_back(static_cast<ridges::Id>(cell));
     }
-    const vtkIdType a = corners->GetId(0);
-    const vtkIdType b = corners->GetId(1);
-    const vtkIdType c = corners->GetId(2);
-    if (a != b && b != c && c != a && isUsable(a) && isUsable(b) && isUsable(c))
-    {
-      triangles.push_back(
-        { static_cast<ridges::Id>(a), static_cast<ridges::Id>(b), static_cast<ridges::Id>(c) });
-      this->CellIds.push_back(firstCell + cell);
-    }
-  }
+  };
+  polys->Visit(ForEachCell{}, add);
   this->NumberOfUnusableTriangles =
     polys->GetNumberOfCells() - static_cast<vtkIdType>(triangles.size());
   this->Triangles = ridges::TriangleMesh(
-    this->Points, static_cast<ridges::Id>(numberOfPoints), std::move(triangles));
+    this->Points, static_cast<ridges::Id>(numberOfPoints), std::move(triangles), edges);
   return true;
 }
 

@@ -24,7 +24,11 @@ public:
    * Triangles with a point p for which usable[p] is 0 are left out as well; an empty vector means
    * that all points may be used. False where the mesh is larger than 32-bit numbering allows.
    */
-  bool Build(vtkPolyData* input, const std::vector<std::uint8_t>& usable = {});
+  bool Build(vtkPolyData* input, const std::vector<std::uint8_t>& usable = {},
+    ridges::TriangleMesh::Edges edges = ridges::TriangleMesh::Edges::Built);
+
+  /// Numbers the edges, if Build was told not to.
+  void BuildEdges() { this->Triangles.BuildEdges(); }
 
   /// The input itself or, if it holds polygons or strips, its triangulation.
   vtkPolyData* GetPolyData() const { return this->PolyData; }
@@ -32,7 +36,10 @@ public:
   const ridges::TriangleMesh& GetTriangles() const { return this->Triangles; }
 
   /// The cell of the data set that a triangle is.
-  vtkIdType GetCellId(ridges::Id triangle) const { return this->CellIds[triangle]; }
+  vtkIdType GetCellId(ridges::Id triangle) const
+  {
+    return this->FirstPoly + this->PolyIds[triangle];
+  }
 
   /// Cells that were triangulated: polygons of more than three points, and strips.
   vtkIdType GetNumberOfTriangulatedCells() const { return this->NumberOfTriangulatedCells; }
@@ -45,12 +52,14 @@ public:
 
 private:
   void FetchPoints();
+  void CountTriangulatedCells(vtkPolyData* input);
 
   vtkSmartPointer<vtkPolyData> PolyData;
   std::vector<double> ConvertedPoints;
   const double* Points = nullptr;
   ridges::TriangleMesh Triangles;
-  std::vector<vtkIdType> CellIds;
+  std::vector<ridges::Id> PolyIds;
+  vtkIdType FirstPoly = 0;
   vtkIdType NumberOfTriangulatedCells = 0;
   vtkIdType NumberOfUnusableTriangles = 0;
 };

@@ -6,8 +6,9 @@
 namespace ridges
 {
 
-RingNeighborhood::RingNeighborhood(const TriangleMesh& mesh)
+RingNeighborhood::RingNeighborhood(const TriangleMesh& mesh, const OrderedRings& rings)
   : Mesh_(mesh)
+  , Rings_(rings)
   , Stamps_(mesh.NumberOfPoints(), 0)
 {
 }
@@ -15,23 +16,59 @@ RingNeighborhood::RingNeighborhood(const TriangleMesh& mesh)
 template <typename Accept>
 bool RingNeighborhood::AddRing(Accept accept)
 {
-  const Id ringEnd = static_cast<Id>(this->Points_.size());
+  const Id ringEnd = this->Count_;
   for (Id i = this->RingBegin_; i < ringEnd; ++i)
   {
-    for (const Id t : this->Mesh_.TrianglesAround(this->Points_[i]))
+    const Span<Id> neighbors = this->NeighborsOf(this->Points_[i]);
+    const std::size_t room = static_cast<std::size_t>(this->Count_) + neighbors.size();
+    if (this->Points_.size() < room)
     {
-      for (const Id p : this->Mesh_.Corners(t))
-      {
-        if (this->Stamps_[p] != this->Stamp_ && accept(p))
-        {
-          this->Stamps_[p] = this->Stamp_;
-          this->Points_.push_back(p);
-        }
-      }
+      this->Points_.resize(2 * room);
     }
+    // Without a branch on what is new: that is as good as random.
+    Id* points = this->Points_.data();
+    std::uint32_t* stamps = this->Stamps_.data();
+    Id count = this->Count_;
+    for (const Id p : neighbors)
+    {
+      const bool isNew = stamps[p] != this->Stamp_ && accept(p);
+      points[count] = p;
+      count += isNew ? 1 : 0;
+      stamps[p] = isNew ? this->Stamp_ : stamps[p];
+    }
+    this->Count_ = count;
   }
   this->RingBegin_ = ringEnd;
-  return static_cast<Id>(this->Points_.size()) > ringEnd;
+  return this->Count_ > ringEnd;
+}
+
+Span<Id> RingNeighborhood::NeighborsOf(Id p)
+{
+  if (this->Rings_.IsRegular(p))
+  {
+    return this->Rings_.Around(p);
+  }
+  // No fan to follow: by distance, and at one distance by coordinates.
+  std::vector<Id>& neighbors = this->Irregular_;
+  neighbors.clear();
+  for (const Id t : this->Mesh_.TrianglesAround(p))
+  {
+    const Triangle& corners = this->Mesh_.Corners(t);
+    neighbors.insert(neighbors.end(), corners.begin(), corners.end());
+  }
+  const auto center = this->Mesh_.Point(p);
+  std::sort(neighbors.begin(), neighbors.end(),
+    [&](Id q, Id r)
+    {
+      const auto x = this->Mesh_.Point(q);
+      const auto y = this->Mesh_.Point(r);
+      const double distanceX = (x - center).squaredNorm();
+      const double distanceY = (y - center).squaredNorm();
+      return distanceX != distanceY
+        ? distanceX < distanceY
+        : std::lexicographical_compare(x.data(), x.data() + 3, y.data(), y.data() + 3);
+    });
+  return { neighbors.data(), neighbors.data() + neighbors.size() };
 }
 
 Span<Id> RingNeighborhood::Gather(Id vertex, const NeighborhoodRule& rule)
@@ -41,7 +78,12 @@ Span<Id> RingNeighborhood::Gather(Id vertex, const NeighborhoodRule& rule)
     std::fill(this->Stamps_.begin(), this->Stamps_.end(), 0);
     this->Stamp_ = 1;
   }
-  this->Points_.assign(1, vertex);
+  if (this->Points_.empty())
+  {
+    this->Points_.resize(64);
+  }
+  this->Points_[0] = vertex;
+  this->Count_ = 1;
   this->Stamps_[vertex] = this->Stamp_;
   this->RingBegin_ = 0;
   this->NumberOfRings_ = 0;
@@ -50,8 +92,7 @@ Span<Id> RingNeighborhood::Gather(Id vertex, const NeighborhoodRule& rule)
   switch (rule.kind)
   {
     case NeighborhoodRule::Kind::PointCount:
-      while (
-        static_cast<Id>(this->Points_.size()) < rule.minimumNumberOfPoints && this->AddRing(any))
+      while (this->Count_ < rule.minimumNumberOfPoints && this->AddRing(any))
       {
         ++this->NumberOfRings_;
       }
@@ -74,39 +115,13 @@ Span<Id> RingNeighborhood::Gather(Id vertex, const NeighborhoodRule& rule)
       break;
     }
   }
-  return this->Sorted();
+  return { this->Points_.data(), this->Points_.data() + this->Count_ };
 }
 
 Span<Id> RingNeighborhood::Grow()
 {
-  // Sorting has mixed the rings, so that the next one is sought around all points.
-  this->RingBegin_ = 0;
   this->NumberOfRings_ += this->AddRing([](Id) { return true; }) ? 1 : 0;
-  return this->Sorted();
-}
-
-Span<Id> RingNeighborhood::Sorted()
-{
-  const Eigen::Vector3d center = this->Mesh_.Point(this->Points_.front());
-  this->Ranked_.clear();
-  for (auto p = this->Points_.begin() + 1; p != this->Points_.end(); ++p)
-  {
-    this->Ranked_.push_back({ (this->Mesh_.Point(*p) - center).squaredNorm(), *p });
-  }
-  std::sort(this->Ranked_.begin(), this->Ranked_.end(),
-    [this](const Ranked& a, const Ranked& b)
-    {
-      if (a.squaredDistance != b.squaredDistance)
-      {
-        return a.squaredDistance < b.squaredDistance;
-      }
-      const auto p = this->Mesh_.Point(a.point);
-      const auto q = this->Mesh_.Point(b.point);
-      return std::lexicographical_compare(p.data(), p.data() + 3, q.data(), q.data() + 3);
-    });
-  std::transform(this->Ranked_.begin(), this->Ranked_.end(), this->Points_.begin() + 1,
-    [](const Ranked& ranked) { return ranked.point; });
-  return { this->Points_.data(), this->Points_.data() + this->Points_.size() };
+  return { this->Points_.data(), this->Points_.data() + this->Count_ };
 }
 
 } // namespace ridges

@@ -2,7 +2,7 @@
 #ifndef ridges_RingNeighborhood_h
 #define ridges_RingNeighborhood_h
 
-#include "TriangleMesh.h"
+#include "OrderedRings.h"
 
 namespace ridges
 {
@@ -29,12 +29,12 @@ struct NeighborhoodRule
 class RingNeighborhood
 {
 public:
-  explicit RingNeighborhood(const TriangleMesh& mesh);
+  RingNeighborhood(const TriangleMesh& mesh, const OrderedRings& rings);
 
   /**
-   * The vertex, and then the points around it by growing distance; points at the same distance
-   * by their coordinates. The order does not depend on the numbering of the mesh, so neither does
-   * a sum taken in it. Valid until the next call.
+   * The vertex, and then ring after ring of the points around it, in an order that does not depend
+   * on the numbering of the mesh, so that neither does a sum taken in it. Valid until the next
+   * call.
    */
   Span<Id> Gather(Id vertex, const NeighborhoodRule& rule);
 
@@ -47,21 +47,17 @@ public:
 private:
   template <typename Accept>
   bool AddRing(Accept accept);
-  Span<Id> Sorted();
-
-  struct Ranked
-  {
-    double squaredDistance;
-    Id point;
-  };
+  Span<Id> NeighborsOf(Id p);
 
   const TriangleMesh& Mesh_;
+  const OrderedRings& Rings_;
   std::vector<std::uint32_t> Stamps_;
   std::uint32_t Stamp_ = 0;
-  std::vector<Id> Points_;
-  std::vector<Ranked> Ranked_;
+  std::vector<Id> Points_; ///< Longer than the neighbourhood, which has Count_ points.
+  Id Count_ = 0;
   Id RingBegin_ = 0;
   int NumberOfRings_ = 0;
+  std::vector<Id> Irregular_; ///< Neighbours of the irregular point visited last.
 };
 
 } // namespace ridges

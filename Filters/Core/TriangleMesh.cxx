@@ -9,13 +9,17 @@
 namespace ridges
 {
 
-TriangleMesh::TriangleMesh(const double* points, Id numberOfPoints, std::vector<Triangle> triangles)
+TriangleMesh::TriangleMesh(
+  const double* points, Id numberOfPoints, std::vector<Triangle> triangles, Edges edges)
   : Points_(points)
   , NumberOfPoints_(numberOfPoints)
   , Triangles_(std::move(triangles))
 {
   this->BuildIncidence();
-  this->BuildEdges();
+  if (edges == Edges::Built)
+  {
+    this->BuildEdges();
+  }
 }
 
 void TriangleMesh::BuildIncidence()
@@ -57,6 +61,7 @@ void TriangleMesh::BuildEdges()
   std::vector<HalfEdge> halfEdges;
 
   this->TriangleEdges_.resize(this->Triangles_.size());
+  this->Edges_.clear();
   this->Edges_.reserve(this->Triangles_.size() + this->Triangles_.size() / 2);
   this->OnBorder_.assign(this->NumberOfPoints_, 0);
   for (Id p = 0; p < this->NumberOfPoints_; ++p)

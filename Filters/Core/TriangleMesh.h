@@ -54,9 +54,20 @@ public:
 
   TriangleMesh() = default;
 
+  /// Whether the edges are numbered, which takes most of the time.
+  enum class Edges
+  {
+    Built,
+    NotBuilt
+  };
+
   /// `points` holds x, y, z of each point and must outlive the mesh. No triangle may repeat a
   /// corner or name a point that is not there.
-  TriangleMesh(const double* points, Id numberOfPoints, std::vector<Triangle> triangles);
+  TriangleMesh(const double* points, Id numberOfPoints, std::vector<Triangle> triangles,
+    Edges edges = Edges::Built);
+
+  /// Numbers the edges: for whatever speaks of edges, neighbours or borders.
+  void BuildEdges();
 
   Id NumberOfPoints() const { return this->NumberOfPoints_; }
   Id NumberOfTriangles() const { return static_cast<Id>(this->Triangles_.size()); }
@@ -86,6 +97,9 @@ public:
     return { base + this->Offsets_[p], base + this->Offsets_[p + 1] };
   }
 
+  /// Where TrianglesAround(p) begin among those of all points.
+  Id Offset(Id p) const { return this->Offsets_[p]; }
+
   /// Whether p is an end of an edge that does not have exactly two triangles.
   bool OnBorder(Id p) const { return this->OnBorder_[p] != 0; }
 
@@ -108,7 +122,6 @@ public:
 
 private:
   void BuildIncidence();
-  void BuildEdges();
 
   const double* Points_ = nullptr;
   Id NumberOfPoints_ = 0;

@@ -116,10 +116,19 @@ MongeField FieldArrays::View() const
 }
 
 //------------------------------------------------------------------------------
+OrderedRings RingsOf(const TriangleMesh& mesh)
+{
+  OrderedRings rings(mesh);
+  rings.Build(0, mesh.NumberOfPoints());
+  return rings;
+}
+
+//------------------------------------------------------------------------------
 FieldArrays FitField(const TriangleMesh& mesh, int minimumNumberOfPoints)
 {
   FieldArrays field(mesh.NumberOfPoints());
-  RingNeighborhood neighborhood(mesh);
+  const OrderedRings rings = RingsOf(mesh);
+  RingNeighborhood neighborhood(mesh, rings);
   NeighborhoodRule rule;
   rule.minimumNumberOfPoints = minimumNumberOfPoints;
   JetFitter fitter;

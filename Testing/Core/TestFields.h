@@ -11,6 +11,7 @@
 #include "AcuteRule.h"
 #include "ExampleSurface.h"
 #include "MongeForm.h"
+#include "OrderedRings.h"
 #include "RingNeighborhood.h"
 
 #include <cstdint>
@@ -37,6 +38,9 @@ private:
   std::vector<double> Points_;
   TriangleMesh Triangles_;
 };
+
+// The rings of all points.
+OrderedRings RingsOf(const TriangleMesh& mesh);
 
 // Monge coefficients at the points of a mesh.
 struct FieldArrays

@@ -43,7 +43,8 @@ Errors MeasureErrors(const Mesh& input, const AnalyticSurface& exactSurface, boo
 {
   const MeshedSurface surface(input);
   const TriangleMesh& mesh = surface.Triangles();
-  RingNeighborhood neighborhood(mesh);
+  const OrderedRings rings = RingsOf(mesh);
+  RingNeighborhood neighborhood(mesh, rings);
   JetFitter fitter;
   std::vector<ExactMonge> exact;
   double largestGap = 0.0;

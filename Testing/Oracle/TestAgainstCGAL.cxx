@@ -82,7 +82,9 @@ void Compare(const char* name, const Mesh& mesh)
 {
   const MeshedSurface surface(mesh);
   const TriangleMesh& triangles = surface.Triangles();
-  RingNeighborhood neighborhood(triangles);
+  OrderedRings rings(triangles);
+  rings.Build(0, triangles.NumberOfPoints());
+  RingNeighborhood neighborhood(triangles, rings);
   JetFitter fitter;
   double largest[3] = { 0.0, 0.0, 0.0 };
   double squares[3] = { 0.0, 0.0, 0.0 };

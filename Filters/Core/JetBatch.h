@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef ridges_JetBatch_h
+#define ridges_JetBatch_h
+
+#include <vector>
+
+namespace ridges
+{
+
+/**
+ * The neighbourhoods of several vertices side by side, a vertex per lane of a SIMD register, and
+ * the Monge forms fitted to them: plain memory, shared by kernels for different instruction sets.
+ *
+ * With L lanes, component c of row i of lane l is offsets[(3 * i + c) * L + l]; likewise for the
+ * other arrays.
+ */
+struct JetBatch
+{
+  static constexpr int MaximumLanes = 8;
+  static constexpr int MaximumRows = 320;
+
+  /// @name Input
+  ///@{
+  int degree;                                                 ///< 2 to 4
+  int rows;                                                   ///< Most points that a lane has.
+  alignas(64) double offsets[3 * MaximumRows * MaximumLanes]; ///< From the vertex, 0 past the end.
+  alignas(64) double weights[MaximumRows * MaximumLanes];     ///< Of the points, 0 past the end.
+  alignas(64) double counts[MaximumLanes];                    ///< Points of each lane.
+  alignas(64) double side[3 * MaximumLanes];                  ///< Where the normal is to point.
+  ///@}
+
+  /// @name Output
+  ///@{
+  alignas(64) double d1[3 * MaximumLanes];
+  alignas(64) double d2[3 * MaximumLanes];
+  alignas(64) double n[3 * MaximumLanes];
+  alignas(64) double k1[MaximumLanes];
+  alignas(64) double k2[MaximumLanes];
+  alignas(64) double b[4 * MaximumLanes];
+  alignas(64) double c[5 * MaximumLanes];
+  alignas(64) double residual[MaximumLanes];        ///< As in JetFit.
+  alignas(64) double conditionNumber[MaximumLanes]; ///< As in JetFit, of the unpivoted system.
+  alignas(64) double pivotRatio[MaximumLanes];
+  ///@}
+};
+
+/**
+ * Fits all lanes of a batch at once: the principal frame of each neighbourhood, the moments of its
+ * points, the normal equations by an unpivoted LDL^T factorisation, one step of iterative
+ * refinement with residuals taken at the points, and the Monge form.
+ *
+ * The normal equations square the condition number; the refinement makes up for that as long as
+ * they are not singular to working precision. `pivotRatio` tells: it is the smallest ratio of a
+ * pivot to the diagonal element it started from, the squared sine of the angle between a column of
+ * the least squares and those before it, whatever the scaling of the columns. A lane whose ratio is
+ * not above `SmallestPivotRatio` (0 where already the frame failed, maybe NaN) has no result and is
+ * to be fitted by JetFitter.
+ */
+struct JetBatchKernel
+{
+  static constexpr double SmallestPivotRatio = 1e-9;
+
+  const char* name;
+  int lanes;
+  void (*fit)(JetBatch& batch);
+};
+
+/// The kernels that this processor can run, the fastest first. None without compiler vectors.
+const std::vector<JetBatchKernel>& JetBatchKernels();
+
+} // namespace ridges
+
+#endif

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The principal frames of a batch of neighbourhoods. Included by JetBatchKernel.h only.
+#ifndef ridges_JetBatchFrame_h
+#define ridges_JetBatchFrame_h
+
+#include "JetBatch.h"
+#include "LaneVector.h"
+
+namespace
+{
+
+/// Direct orthonormal axes; n is the direction of least spread. u and v are any: the space of
+/// polynomials of a degree is the same for all of them.
+struct Frame
+{
+  Vec3 u, v, n;
+  Vec radius;
+  decltype(Vec{} < Vec{}) failed;
+};
+
+/// The continuous choice of Duff and others (Building an orthonormal basis, revisited, 2017).
+inline void CompleteFrame(Frame& frame)
+{
+  const Vec3& n = frame.n;
+  const Vec sign = WithSign(Broadcast(1.0), n.z);
+  const Vec a = -1.0 / (sign + n.z);
+  const Vec b = n.x * n.y * a;
+  frame.u = { 1.0 + sign * n.x * n.x * a, sign * b, -sign * n.x };
+  frame.v = { b, sign + n.y * n.y * a, -n.y };
+}
+
+struct SymmetricMatrix
+{
+  Vec xx, xy, xz, yy, yz, zz;
+
+  Vec3 operator*(const Vec3& a) const
+  {
+    return { this->xx * a.x + this->xy * a.y + this->xz * a.z,
+      this->xy * a.x + this->yy * a.y + this->yz * a.z,
+      this->xz * a.x + this->yz * a.y + this->zz * a.z };
+  }
+};
+
+/// Covariance of the points about their mean, with trace 1; and their largest squared distance
+/// from the vertex.
+inline SymmetricMatrix Covariance(const ridges::JetBatch& batch, Vec& squaredRadius)
+{
+  Vec3 sum{};
+  SymmetricMatrix c{};
+  squaredRadius = Vec{};
+  for (int row = 0; row < batch.rows; ++row)
+  {
+    const Vec3 d = Load3(batch.offsets + 3 * row * Lanes);
+    const Vec xx = d.x * d.x;
+    const Vec yy = d.y * d.y;
+    const Vec zz = d.z * d.z;
+    sum = sum + d;
+    c.xx += xx;
+    c.yy += yy;
+    c.zz += zz;
+    c.xy += d.x * d.y;
+    c.xz += d.x * d.z;
+    c.yz += d.y * d.z;
+    squaredRadius = Max(squaredRadius, xx + yy + zz);
+  }
+  const Vec3 mean = 1.0 / Load(batch.counts) * sum;
+  c.xx -= sum.x * mean.x;
+  c.yy -= sum.y * mean.y;
+  c.zz -= sum.z * mean.z;
+  c.xy -= sum.x * mean.y;
+  c.xz -= sum.x * mean.z;
+  c.yz -= sum.y * mean.z;
+  const Vec scale = 1.0 / (c.xx + c.yy + c.zz);
+  return { scale * c.xx, scale * c.xy, scale * c.xz, scale * c.yy, scale * c.yz, scale * c.zz };
+}
+
+inline Frame PrincipalFrame(const ridges::JetBatch& batch)
+{
+  Frame frame;
+  Vec squaredRadius;
+  const SymmetricMatrix c = Covariance(batch, squaredRadius);
+  frame.radius = Sqrt(squaredRadius);
+
+  // The least root of t^3 - t^2 + m t - d by Newton's method from 0: left of it the cubic is
+  // concave and rises, so the steps approach it from below, in few steps where it is small.
+  const Vec m = c.xx * c.yy - c.xy * c.xy + c.xx * c.zz - c.xz * c.xz + c.yy * c.zz - c.yz * c.yz;
+  const Vec d = c.xx * (c.yy * c.zz - c.yz * c.yz) - c.xy * (c.xy * c.zz - c.yz * c.xz) +
+    c.xz * (c.xy * c.yz - c.yy * c.xz);
+  Vec t{};
+  for (int step = 0; step < 5; ++step)
+  {
+    t -= (((t - 1.0) * t + m) * t - d) / ((3.0 * t - 2.0) * t + m);
+  }
+
+  // Its eigenvector is orthogonal to the rows of C - t I: the longest of their cross products.
+  const Vec3 row0{ c.xx - t, c.xy, c.xz };
+  const Vec3 row1{ c.xy, c.yy - t, c.yz };
+  const Vec3 row2{ c.xz, c.yz, c.zz - t };
+  const Vec3 candidate1 = Cross(row0, row2);
+  const Vec3 candidate2 = Cross(row1, row2);
+  Vec3 longest = Cross(row0, row1);
+  Vec length = Dot(longest, longest);
+  const Vec length1 = Dot(candidate1, candidate1);
+  longest = Select(length1 > length, candidate1, longest);
+  length = Max(length, length1);
+  longest = Select(Dot(candidate2, candidate2) > length, candidate2, longest);
+  frame.n = Normalized(longest);
+  CompleteFrame(frame);
+
+  // One Newton step on C n = t n. Where it is not small the two least eigenvalues are hardly
+  // apart, or the points lie on a line.
+  const Vec3 cn = c * frame.n;
+  const Vec3 cu = c * frame.u;
+  const Vec3 cv = c * frame.v;
+  const Vec eigenvalue = Dot(frame.n, cn);
+  const Vec alongU = Dot(frame.u, cn);
+  const Vec alongV = Dot(frame.v, cn);
+  const Vec uu = Dot(frame.u, cu) - eigenvalue;
+  const Vec uv = Dot(frame.u, cv);
+  const Vec vv = Dot(frame.v, cv) - eigenvalue;
+  const Vec perDeterminant = 1.0 / (uu * vv - uv * uv);
+  const Vec stepU = (uv * alongV - vv * alongU) * perDeterminant;
+  const Vec stepV = (uv * alongU - uu * alongV) * perDeterminant;
+  frame.failed = !(Abs(stepU) + Abs(stepV) < 1e-5);
+
+  const Vec3 normal = Normalized(frame.n + stepU * frame.u + stepV * frame.v);
+  frame.n = WithSign(Broadcast(1.0), Dot(normal, Load3(batch.side))) * normal;
+  CompleteFrame(frame);
+  return frame;
+}
+
+} // namespace
+
+#endif

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "OrderedRings.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+namespace ridges
+{
+namespace
+{
+
+constexpr Id LargestFan = 32;
+
+} // namespace
+
+OrderedRings::OrderedRings(const TriangleMesh& mesh)
+  : Mesh_(mesh)
+  , Rings_(3 * static_cast<std::size_t>(mesh.NumberOfTriangles()) + mesh.NumberOfPoints())
+  , Sizes_(mesh.NumberOfPoints(), 0)
+  , Kinds_(mesh.NumberOfPoints(), Kind::Irregular)
+{
+}
+
+void OrderedRings::Build(Id begin, Id end)
+{
+  for (Id p = begin; p < end; ++p)
+  {
+    this->Kinds_[p] = this->BuildRing(p, this->Rings_.data() + this->Offset(p), this->Sizes_[p]);
+  }
+}
+
+bool OrderedRings::HasIrregular() const
+{
+  for (Id p = 0; p < this->Mesh_.NumberOfPoints(); ++p)
+  {
+    if (!this->IsRegular(p) && this->Mesh_.TrianglesAround(p).size() > 0)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+OrderedRings::Kind OrderedRings::BuildRing(Id p, Id* ring, Id& size) const
+{
+  // Each triangle at p leads from one neighbour to the next.
+  std::array<Id, LargestFan> from{};
+  std::array<Id, LargestFan> to{};
+  const Span<Id> triangles = this->Mesh_.TrianglesAround(p);
+  const Id count = triangles.size();
+  size = 0;
+  if (count == 0 || count > LargestFan)
+  {
+    return this->KindOfIrregular(p);
+  }
+  for (Id i = 0; i < count; ++i)
+  {
+    const Triangle& c = this->Mesh_.Corners(triangles[i]);
+    const int corner = c[0] == p ? 0 : (c[1] == p ? 1 : 2);
+    from[i] = c[(corner + 1) % 3];
+    to[i] = c[(corner + 2) % 3];
+  }
+  // An edge that two triangles run through in one direction is not in a regular fan.
+  for (Id i = 1; i < count; ++i)
+  {
+    if (std::find(from.begin(), from.begin() + i, from[i]) != from.begin() + i)
+    {
+      return this->KindOfIrregular(p);
+    }
+  }
+
+  // The chain from the first triangle on grows at its end, or, where it cannot, at its beginning.
+  for (Id length = 1; length < count; ++length)
+  {
+    const auto rest = from.begin() + length;
+    const auto next = std::find(rest, from.begin() + count, to[length - 1]);
+    if (next != from.begin() + count)
+    {
+      std::iter_swap(rest, next);
+      std::swap(to[length], to[next - from.begin()]);
+      continue;
+    }
+    const auto before = std::find(to.begin() + length, to.begin() + count, from[0]);
+    if (before == to.begin() + count)
+    {
+      return this->KindOfIrregular(p);
+    }
+    const auto index = before - to.begin();
+    std::rotate(from.begin(), from.begin() + index, from.begin() + index + 1);
+    std::rotate(to.begin(), to.begin() + index, to.begin() + index + 1);
+  }
+
+  size = count;
+  if (to[count - 1] != from[0])
+  {
+    std::copy_n(from.begin(), count, ring);
+    ring[count] = to[count - 1];
+    ++size;
+    return Kind::Open;
+  }
+  const Id start = this->NearestOf(p, from.data(), count);
+  std::rotate_copy(from.begin(), from.begin() + start, from.begin() + count, ring);
+  return Kind::Closed;
+}
+
+Id OrderedRings::NearestOf(Id p, const Id* ring, Id size) const
+{
+  const Eigen::Vector3d center = this->Mesh_.Point(p);
+  Id nearest = 0;
+  double least = std::numeric_limits<double>::max();
+  for (Id i = 0; i < size; ++i)
+  {
+    const auto q = this->Mesh_.Point(ring[i]);
+    const double squared = (q - center).squaredNorm();
+    bool nearer = squared < least;
+    if (squared == least)
+    {
+      const auto r = this->Mesh_.Point(ring[nearest]);
+      nearer = std::lexicographical_compare(q.data(), q.data() + 3, r.data(), r.data() + 3);
+    }
+    if (nearer)
+    {
+      nearest = i;
+      least = squared;
+    }
+  }
+  return nearest;
+}
+
+OrderedRings::Kind OrderedRings::KindOfIrregular(Id p) const
+{
+  std::vector<Id> neighbors;
+  for (const Id t : this->Mesh_.TrianglesAround(p))
+  {
+    for (const Id q : this->Mesh_.Corners(t))
+    {
+      if (q != p)
+      {
+        neighbors.push_back(q);
+      }
+    }
+  }
+  std::sort(neighbors.begin(), neighbors.end());
+  for (std::size_t i = 0; i < neighbors.size(); i += 2)
+  {
+    const bool inTwoTriangles = i + 1 < neighbors.size() && neighbors[i] == neighbors[i + 1] &&
+      (i + 2 == neighbors.size() || neighbors[i + 2] != neighbors[i]);
+    if (!inTwoTriangles)
+    {
+      return Kind::IrregularOnBorder;
+    }
+  }
+  return Kind::Irregular;
+}
+
+} // namespace ridges
