@@ -4,8 +4,10 @@
 #include "Core/EnclosingSphere.h"
 #include "Core/MarchingTriangles.h"
 #include "Core/RidgeAssembly.h"
+#include "Core/RidgeCrossings.h"
 #include "Core/RidgeMeasures.h"
 #include "vtkRidgesArrayNames.h"
+#include "vtkRidgesBatches.h"
 #include "vtkRidgesMesh.h"
 #include "vtkRidgesMongeArrays.h"
 #include "vtkRidgesPolylines.h"
@@ -35,6 +37,72 @@ static_assert(
 
 namespace
 {
+
+struct FindCrossings
+{
+  ridges::RidgeCrossings& Crossings;
+
+  void operator()(vtkIdType begin, vtkIdType end)
+  {
+    this->Crossings.Find(static_cast<ridges::Id>(begin), static_cast<ridges::Id>(end));
+  }
+};
+
+struct PlaceCrossings
+{
+  ridges::RidgeCrossings& Crossings;
+
+  void operator()(vtkIdType begin, vtkIdType end)
+  {
+    this->Crossings.Place(static_cast<ridges::Id>(begin), static_cast<ridges::Id>(end));
+  }
+};
+
+/// Marches chunks of triangles, each into segments of its own: their order does not depend on the
+/// threads.
+class MarchTriangles
+{
+public:
+  MarchTriangles(const ridges::RidgeCrossings& crossings, ridges::TypeRule rule)
+    : Crossings(crossings)
+    , Rule(rule)
+    , Segments((crossings.Mesh().NumberOfTriangles() + ChunkSize - 1) / ChunkSize)
+  {
+  }
+
+  vtkIdType GetNumberOfChunks() const { return static_cast<vtkIdType>(this->Segments.size()); }
+
+  void operator()(vtkIdType begin, vtkIdType end)
+  {
+    for (vtkIdType chunk = begin; chunk < end; ++chunk)
+    {
+      const auto first = static_cast<ridges::Id>(chunk * ChunkSize);
+      const ridges::Id last =
+        std::min<ridges::Id>(first + ChunkSize, this->Crossings.Mesh().NumberOfTriangles());
+      for (ridges::Id t = first; t < last; ++t)
+      {
+        ridges::MarchTriangle(this->Crossings, this->Rule, t, this->Segments[chunk]);
+      }
+    }
+  }
+
+  std::vector<ridges::RidgeSegment> Collect() const
+  {
+    std::vector<ridges::RidgeSegment> all;
+    for (const auto& chunk : this->Segments)
+    {
+      all.insert(all.end(), chunk.begin(), chunk.end());
+    }
+    return all;
+  }
+
+private:
+  static constexpr ridges::Id ChunkSize = 8192;
+
+  const ridges::RidgeCrossings& Crossings;
+  ridges::TypeRule Rule;
+  std::vector<std::vector<ridges::RidgeSegment>> Segments;
+};
 
 /// Radius of the smallest sphere around all points that a triangle has.
 double EnclosingRadius(const ridges::TriangleMesh& mesh)
@@ -112,39 +180,39 @@ int vtkRidgeExtraction::RequestData(
   const double modelSize = this->ModelSize > 0.0 ? this->ModelSize : EnclosingRadius(triangles);
   const ridges::UmbilicCutOff cutOff(
     UmbilicPositions(mesh.GetPolyData(), triangles, field), this->UmbilicCutOff * modelSize);
-  ridges::MarchingRules rules;
-  rules.type =
-    this->TypeRule == FOURTH_ORDER ? ridges::TypeRule::FourthOrder : ridges::TypeRule::ThirdOrder;
-  rules.crossing =
+  const auto crossingRule =
     this->CrossingRule == FORM ? ridges::CrossingRule::Form : ridges::CrossingRule::Linear;
-  vtkRidgesPolylines lines(mesh, field, rules.crossing, cutOff, modelSize);
+  const auto typeRule =
+    this->TypeRule == FOURTH_ORDER ? ridges::TypeRule::FourthOrder : ridges::TypeRule::ThirdOrder;
+  vtkRidgesPolylines lines(mesh, field, cutOff, modelSize);
   lines.SetCrestOnly(this->CrestOnly);
 
-  std::vector<ridges::RidgeSegment> segments;
   for (const ridges::Color color : { ridges::Color::Blue, ridges::Color::Red })
   {
-    if (!(color == ridges::Color::Blue ? this->ExtractMaximum : this->ExtractMinimum))
+    const bool blue = color == ridges::Color::Blue;
+    if (!(blue ? this->ExtractMaximum : this->ExtractMinimum))
     {
       continue;
     }
-    constexpr ridges::Id batch = 1 << 16;
-    segments.clear();
-    for (ridges::Id t = 0; t < triangles.NumberOfTriangles(); ++t)
+    const double from = blue ? 0.1 : 0.55;
+    ridges::RidgeCrossings crossings(triangles, field, color, crossingRule);
+    FindCrossings find{ crossings };
+    if (!vtkRidgesForBatches(this, triangles.NumberOfEdges(), from, from + 0.1, find))
     {
-      ridges::MarchTriangle(triangles, field, color, rules, t, segments);
-      if (t % batch == 0)
-      {
-        this->UpdateProgress((color == ridges::Color::Blue ? 0.1 : 0.55) +
-          0.3 * static_cast<double>(t) / triangles.NumberOfTriangles());
-        if (this->GetAbortExecute())
-        {
-          return 1;
-        }
-      }
+      return 1;
     }
+    crossings.Number();
+    PlaceCrossings place{ crossings };
+    MarchTriangles march(crossings, typeRule);
+    if (!vtkRidgesForBatches(this, crossings.Size(), from + 0.1, from + 0.2, place) ||
+      !vtkRidgesForBatches(this, march.GetNumberOfChunks(), from + 0.2, from + 0.3, march, 64))
+    {
+      return 1;
+    }
+    std::vector<ridges::RidgeSegment> segments = march.Collect();
     for (ridges::Ridge& ridge : ridges::AssembleRidges(triangles, segments))
     {
-      lines.AddRidge(ridge, segments, color);
+      lines.AddRidge(ridge, segments, crossings);
     }
   }
   lines.Store(output);

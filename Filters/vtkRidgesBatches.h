@@ -15,10 +15,9 @@
  * AbortExecute is what VTK 9.1 has; CheckAbort came with 9.2.
  */
 template <typename Body>
-bool vtkRidgesForBatches(
-  vtkAlgorithm* algorithm, vtkIdType count, double from, double to, Body& body)
+bool vtkRidgesForBatches(vtkAlgorithm* algorithm, vtkIdType count, double from, double to,
+  Body& body, vtkIdType batch = 1 << 15)
 {
-  constexpr vtkIdType batch = 1 << 15;
   for (vtkIdType begin = 0; begin < count; begin += batch)
   {
     const vtkIdType end = std::min(begin + batch, count);

@@ -6,6 +6,7 @@
 #include "vtkNew.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkSMPTools.h"
 #include "vtkTriangleFilter.h"
 
 #include <algorithm>
@@ -92,9 +93,24 @@ bool vtkRidgesMesh::Build(
   polys->Visit(ForEachCell{}, add);
   this->NumberOfUnusableTriangles =
     polys->GetNumberOfCells() - static_cast<vtkIdType>(triangles.size());
-  this->Triangles = ridges::TriangleMesh(
-    this->Points, static_cast<ridges::Id>(numberOfPoints), std::move(triangles), edges);
+  this->Triangles = ridges::TriangleMesh(this->Points, static_cast<ridges::Id>(numberOfPoints),
+    std::move(triangles), ridges::TriangleMesh::Edges::NotBuilt);
+  if (edges == ridges::TriangleMesh::Edges::Built)
+  {
+    this->BuildEdges();
+  }
   return true;
+}
+
+void vtkRidgesMesh::BuildEdges()
+{
+  this->Triangles.BuildEdges(
+    [](ridges::Id count, const std::function<void(ridges::Id, ridges::Id)>& body)
+    {
+      const auto range = [&body](vtkIdType begin, vtkIdType end)
+      { body(static_cast<ridges::Id>(begin), static_cast<ridges::Id>(end)); };
+      vtkSMPTools::For(0, count, range);
+    });
 }
 
 void vtkRidgesMesh::FetchPoints()

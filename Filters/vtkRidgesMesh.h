@@ -28,7 +28,7 @@ public:
     ridges::TriangleMesh::Edges edges = ridges::TriangleMesh::Edges::Built);
 
   /// Numbers the edges, if Build was told not to.
-  void BuildEdges() { this->Triangles.BuildEdges(); }
+  void BuildEdges();
 
   /// The input itself or, if it holds polygons or strips, its triangulation.
   vtkPolyData* GetPolyData() const { return this->PolyData; }

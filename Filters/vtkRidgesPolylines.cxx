@@ -15,10 +15,9 @@ using ridges::Ridge;
 using ridges::RidgePoint;
 
 vtkRidgesPolylines::vtkRidgesPolylines(const vtkRidgesMesh& mesh, const ridges::MongeField& field,
-  ridges::CrossingRule crossing, const ridges::UmbilicCutOff& cutOff, double modelSize)
+  const ridges::UmbilicCutOff& cutOff, double modelSize)
   : Mesh(mesh)
   , Field(field)
-  , Crossing(crossing)
   , CutOff(cutOff)
   , ModelSize(modelSize)
   , UmbilicPatch(mesh.GetPolyData()->GetCellData()->GetArray(names::UmbilicPatch))
@@ -63,12 +62,13 @@ void vtkRidgesPolylines::SetHyperbolicInPatches(
   setFrom(ridge.nodes.back(), ridge.segments.rbegin(), ridge.segments.rend());
 }
 
-void vtkRidgesPolylines::AddRidge(
-  Ridge& ridge, std::vector<ridges::RidgeSegment>& segments, ridges::Color color)
+void vtkRidgesPolylines::AddRidge(Ridge& ridge, std::vector<ridges::RidgeSegment>& segments,
+  const ridges::RidgeCrossings& crossings)
 {
+  const ridges::Color color = crossings.RidgeColor();
   this->SetHyperbolicInPatches(ridge, segments, color);
   const std::vector<ridges::RidgeRun> runs = ridges::SplitByType(ridge, segments);
-  const std::vector<RidgePoint> points = this->PointsOf(ridge, color);
+  const std::vector<RidgePoint> points = this->PointsOf(ridge, crossings);
   std::vector<vtkIdType> ids(points.size(), -1);
   const auto idOf = [&](Id i)
   {
@@ -124,7 +124,8 @@ void vtkRidgesPolylines::AddRidge(
   }
 }
 
-std::vector<RidgePoint> vtkRidgesPolylines::PointsOf(const Ridge& ridge, ridges::Color color) const
+std::vector<RidgePoint> vtkRidgesPolylines::PointsOf(
+  const Ridge& ridge, const ridges::RidgeCrossings& crossings) const
 {
   const ridges::TriangleMesh& mesh = this->Mesh.GetTriangles();
   std::vector<RidgePoint> points(ridge.nodes.size());
@@ -132,8 +133,7 @@ std::vector<RidgePoint> vtkRidgesPolylines::PointsOf(const Ridge& ridge, ridges:
   {
     if (!Ridge::IsUmbilic(ridge.nodes[i]))
     {
-      points[i] =
-        ridges::RidgePointOnEdge(mesh, this->Field, color, this->Crossing, ridge.nodes[i]);
+      points[i] = crossings.PointOn(ridge.nodes[i]);
     }
   }
   // A segment has at most one end at an umbilic, so the neighbours of such ends are on edges.

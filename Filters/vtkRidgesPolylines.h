@@ -27,27 +27,27 @@ class vtkRidgesPolylines
 {
 public:
   vtkRidgesPolylines(const vtkRidgesMesh& mesh, const ridges::MongeField& field,
-    ridges::CrossingRule crossing, const ridges::UmbilicCutOff& cutOff, double modelSize);
+    const ridges::UmbilicCutOff& cutOff, double modelSize);
 
   void SetCrestOnly(bool crestOnly) { this->CrestOnly = crestOnly; }
 
-  /// The next ridge: its runs of one type become polylines. From an umbilic to the contour of its
-  /// patch a ridge is hyperbolic (RR-5294, section 6.5).
-  void AddRidge(
-    ridges::Ridge& ridge, std::vector<ridges::RidgeSegment>& segments, ridges::Color color);
+  /// The next ridge between these crossings: its runs of one type become polylines. From an umbilic
+  /// to the contour of its patch a ridge is hyperbolic (RR-5294, section 6.5).
+  void AddRidge(ridges::Ridge& ridge, std::vector<ridges::RidgeSegment>& segments,
+    const ridges::RidgeCrossings& crossings);
 
   void Store(vtkPolyData* output);
 
 private:
   void SetHyperbolicInPatches(const ridges::Ridge& ridge,
     std::vector<ridges::RidgeSegment>& segments, ridges::Color color) const;
-  std::vector<ridges::RidgePoint> PointsOf(const ridges::Ridge& ridge, ridges::Color color) const;
+  std::vector<ridges::RidgePoint> PointsOf(
+    const ridges::Ridge& ridge, const ridges::RidgeCrossings& crossings) const;
   vtkIdType InsertPoint(ridges::Id node, const ridges::RidgePoint& point, ridges::Color color);
   vtkIdType UmbilicIdOf(ridges::Id triangle) const;
 
   const vtkRidgesMesh& Mesh;
   const ridges::MongeField& Field;
-  ridges::CrossingRule Crossing;
   const ridges::UmbilicCutOff& CutOff;
   double ModelSize;
   bool CrestOnly = false;

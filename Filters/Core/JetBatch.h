@@ -41,6 +41,7 @@ struct JetBatch
   alignas(64) double residual[MaximumLanes];        ///< As in JetFit.
   alignas(64) double conditionNumber[MaximumLanes]; ///< As in JetFit, of the unpivoted system.
   alignas(64) double pivotRatio[MaximumLanes];
+  alignas(64) double radius[MaximumLanes]; ///< As in JetFit.
   ///@}
 };
 

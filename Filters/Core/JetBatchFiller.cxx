@@ -6,8 +6,9 @@
 namespace ridges
 {
 
-JetBatchFiller::JetBatchFiller(int degree, int lanes)
+JetBatchFiller::JetBatchFiller(int degree, int lanes, Weighting weighting)
   : Lanes_(lanes)
+  , Weighting_(weighting)
   , Batch_(std::make_unique<JetBatch>())
 {
   this->Batch_->degree = degree;
@@ -39,12 +40,37 @@ bool JetBatchFiller::Add(const TriangleMesh& mesh, Id vertex, Span<Id> points)
     offset += 3 * stride;
     weight += stride;
   }
+  if (this->Weighting_ == Weighting::Gaussian)
+  {
+    this->WeightLane(lane);
+  }
   const Eigen::Vector3d side = mesh.PointNormal(vertex);
   for (int i = 0; i < 3; ++i)
   {
     batch.side[i * stride + lane] = side[i];
   }
   return true;
+}
+
+void JetBatchFiller::WeightLane(int lane)
+{
+  JetBatch& batch = *this->Batch_;
+  const int stride = this->Lanes_;
+  const auto squaredDistance = [&](int row)
+  {
+    const double* offset = batch.offsets + 3 * row * stride + lane;
+    return offset[0] * offset[0] + offset[stride] * offset[stride] +
+      offset[2 * stride] * offset[2 * stride];
+  };
+  double squaredRadius = 0.0;
+  for (int row = 0; row < this->Rows_[lane]; ++row)
+  {
+    squaredRadius = std::max(squaredRadius, squaredDistance(row));
+  }
+  for (int row = 0; row < this->Rows_[lane]; ++row)
+  {
+    batch.weights[row * stride + lane] = GaussianWeight(squaredDistance(row), squaredRadius);
+  }
 }
 
 JetBatch& JetBatchFiller::Complete()

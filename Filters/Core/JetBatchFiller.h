@@ -5,6 +5,7 @@
 #include "JetBatch.h"
 #include "MongeForm.h"
 #include "TriangleMesh.h"
+#include "Weighting.h"
 
 #include <array>
 #include <memory>
@@ -16,7 +17,7 @@ namespace ridges
 class JetBatchFiller
 {
 public:
-  JetBatchFiller(int degree, int lanes);
+  JetBatchFiller(int degree, int lanes, Weighting weighting = Weighting::Uniform);
 
   /// The next lane; false if the neighbourhood has too many points for a batch, or too few for the
   /// degree. `points` begins with the vertex.
@@ -33,10 +34,16 @@ public:
   /// What the kernel found for a lane; false if it has no result.
   bool Result(int lane, MongeForm& form, double& conditionNumber, double& residual) const;
 
+  /// Distance of the lane's farthest point from its vertex, where there is a result.
+  double Radius(int lane) const { return this->Batch_->radius[lane]; }
+
   void Clear() { this->Size_ = 0; }
 
 private:
+  void WeightLane(int lane);
+
   int Lanes_;
+  Weighting Weighting_;
   int Size_ = 0;
   std::array<Id, JetBatch::MaximumLanes> Vertices_{};
   std::array<int, JetBatch::MaximumLanes> Rows_{};

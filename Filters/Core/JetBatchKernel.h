@@ -276,6 +276,7 @@ inline void FitDegree(ridges::JetBatch& batch)
 
   Store(batch.residual, Sqrt(squares / totalWeight));
   Store(batch.conditionNumber, Sqrt(equations.largestPivot / equations.smallestPivot));
+  Store(batch.radius, frame.radius);
   Store(batch.pivotRatio, frame.failed ? Vec{} : equations.pivotRatio);
   StoreMongeForm<Degree>(batch, frame, coefficients, perRadius);
 }

@@ -4,7 +4,6 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 
-#include <array>
 #include <cmath>
 #include <limits>
 
@@ -41,12 +40,10 @@ bool PrincipalFrame(const Eigen::Ref<const Eigen::Matrix3Xd>& offsets, const Eig
   return true;
 }
 
-constexpr std::array<double, HeightJet::MaximumDegree + 1> Factorial = { 1.0, 1.0, 2.0, 6.0, 24.0 };
-
 } // namespace
 
-JetFit JetFitter::Fit(
-  const Eigen::Ref<const Eigen::Matrix3Xd>& offsets, int degree, const Eigen::Vector3d& side)
+JetFit JetFitter::Fit(const Eigen::Ref<const Eigen::Matrix3Xd>& offsets, int degree,
+  const Eigen::Vector3d& side, Weighting weighting)
 {
   JetFit fit;
   const Eigen::Index count = offsets.cols();
@@ -86,14 +83,28 @@ JetFit JetFitter::Fit(
     }
   }
 
+  double totalWeight = static_cast<double>(count);
+  this->RootWeights_.resize(0);
+  if (weighting == Weighting::Gaussian)
+  {
+    this->RootWeights_.resize(count);
+    for (Eigen::Index row = 0; row < count; ++row)
+    {
+      this->RootWeights_[row] =
+        std::sqrt(GaussianWeight(offsets.col(row).squaredNorm(), fit.radius * fit.radius));
+    }
+    totalWeight = this->RootWeights_.squaredNorm();
+    this->Matrix_.array().colwise() *= this->RootWeights_.array();
+    this->Heights_.array() *= this->RootWeights_.array();
+  }
+
   this->Solver_.compute(this->Matrix_);
   const Eigen::VectorXd solution = this->Solver_.solve(this->Heights_);
   const auto pivots = this->Solver_.matrixQTZ().diagonal().cwiseAbs();
   fit.rank = static_cast<int>(this->Solver_.rank());
   fit.conditionNumber =
     pivots[size - 1] > 0.0 ? pivots[0] / pivots[size - 1] : std::numeric_limits<double>::max();
-  fit.residual =
-    (this->Matrix_ * solution - this->Heights_).norm() / std::sqrt(static_cast<double>(count));
+  fit.residual = (this->Matrix_ * solution - this->Heights_).norm() / std::sqrt(totalWeight);
 
   // From coefficients of monomials in units of the radius to derivatives.
   double scale = fit.radius;
@@ -102,7 +113,7 @@ JetFit JetFitter::Fit(
     for (int j = 0; j <= d; ++j)
     {
       const int i = HeightJet::Index(d - j, j);
-      fit.jet.derivatives[i] = solution[i] * Factorial[d - j] * Factorial[j] * scale;
+      fit.jet.derivatives[i] = solution[i] * HeightJet::Factorial(d - j) * HeightJet::Factorial(j) * scale;
     }
   }
   fit.degree = degree;

@@ -3,6 +3,7 @@
 #define ridges_JetFit_h
 
 #include "MongeForm.h"
+#include "Weighting.h"
 
 #include <Eigen/Core>
 #include <Eigen/QR>
@@ -30,7 +31,7 @@ struct JetFit
   int degree = 0;                                      ///< Degree that was fitted, 0 if invalid.
   int rank = 0;                                        ///< Numerical rank of the least squares.
   double conditionNumber = 0.0;
-  double residual = 0.0; ///< Root mean square of the heights left over, in units of the radius.
+  double residual = 0.0; ///< (Weighted) rms of the heights left over, in units of the radius.
   double radius = 0.0;   ///< Distance of the farthest point from the vertex.
   std::uint8_t status = FitInvalid;
 };
@@ -49,6 +50,8 @@ struct JetFit
  * estimate of the ratio of the extreme singular values. From `IllConditionedAbove` on the fit is
  * flagged: derivatives of the surface beyond the degree, and noise, are then magnified beyond use.
  *
+ * Weights change the least squares, but not the height axis.
+ *
  * Holds scratch memory: use one per thread.
  */
 class JetFitter
@@ -57,13 +60,22 @@ public:
   static constexpr double IllConditionedAbove = 1e5;
 
   /// `offsets` has a column per point.
-  JetFit Fit(
-    const Eigen::Ref<const Eigen::Matrix3Xd>& offsets, int degree, const Eigen::Vector3d& side);
+  JetFit Fit(const Eigen::Ref<const Eigen::Matrix3Xd>& offsets, int degree,
+    const Eigen::Vector3d& side, Weighting weighting = Weighting::Uniform);
+
+  /// The factorisation of the last fit that was not invalid: of the monomials in units of the
+  /// radius, a row per point, which is multiplied by the point's root weight.
+  using Factorization = Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd>;
+  const Factorization& LastFactorization() const { return this->Solver_; }
+
+  /// The square roots of the weights of that fit; empty if they were all 1.
+  const Eigen::VectorXd& LastRootWeights() const { return this->RootWeights_; }
 
 private:
   Eigen::MatrixXd Matrix_;
   Eigen::VectorXd Heights_;
-  Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> Solver_;
+  Eigen::VectorXd RootWeights_;
+  Factorization Solver_;
 };
 
 } // namespace ridges

@@ -6,15 +6,16 @@
 namespace ridges
 {
 
-void MarchTriangle(const TriangleMesh& mesh, const MongeField& field, Color color,
-  const MarchingRules& rules, Id triangle, std::vector<RidgeSegment>& segments)
+void MarchTriangle(
+  const RidgeCrossings& crossings, TypeRule rule, Id triangle, std::vector<RidgeSegment>& segments)
 {
-  const Triangle& corners = mesh.Corners(triangle);
+  const TriangleMesh& mesh = crossings.Mesh();
+  const Color color = crossings.RidgeColor();
   std::array<int, 3> crossed{};
   int count = 0;
   for (int side = 0; side < 3; ++side)
   {
-    if (IsCrossed(field, color, corners[side], corners[(side + 1) % 3]))
+    if (crossings.IsCrossed(mesh.EdgeOf(triangle, side)))
     {
       crossed[count++] = side;
     }
@@ -37,11 +38,12 @@ void MarchTriangle(const TriangleMesh& mesh, const MongeField& field, Color colo
     const int side3 = wraps ? 2 : crossed[0];
     const Id edge0 = mesh.EdgeOf(triangle, side2);
     const Id edge1 = mesh.EdgeOf(triangle, side3);
-    const RidgePoint r1 = RidgePointOnEdge(mesh, field, color, rules.crossing, edge0);
-    const RidgePoint r2 = RidgePointOnEdge(mesh, field, color, rules.crossing, edge1);
-    const bool elliptic = rules.type == TypeRule::FourthOrder
+    const RidgePoint& r1 = crossings.PointOn(edge0);
+    const RidgePoint& r2 = crossings.PointOn(edge1);
+    const bool elliptic = rule == TypeRule::FourthOrder
       ? r1.P + r2.P < 0.0
-      : IsEllipticByThirdOrder(mesh, field, color, triangle, side2, r1.position, r2.position);
+      : IsEllipticByThirdOrder(
+          mesh, crossings.Field(), color, triangle, side2, r1.position, r2.position);
     segments.push_back({ triangle, edge0, edge1, TypeOf(color, elliptic),
       elliptic && r1.crestMargin + r2.crestMargin >= 0.0 });
   }

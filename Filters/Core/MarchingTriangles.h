@@ -2,7 +2,7 @@
 #ifndef ridges_MarchingTriangles_h
 #define ridges_MarchingTriangles_h
 
-#include "RidgePoint.h"
+#include "RidgeCrossings.h"
 #include "RidgeType.h"
 
 #include <vector>
@@ -31,23 +31,16 @@ struct RidgeSegment
   bool crest; ///< Elliptic, and the own curvature is the larger in absolute value (section 7.2).
 };
 
-/// How ridges are put into a triangle.
-struct MarchingRules
-{
-  TypeRule type = TypeRule::FourthOrder;
-  CrossingRule crossing = CrossingRule::Form;
-};
-
 /**
- * Appends the pieces of ridges of the colour inside a triangle: none or one in a regular
- * triangle, one or three in a singular one.
+ * Appends the pieces of ridges inside a triangle, between the crossings of its edges: none or one
+ * in a regular triangle, one or three in a singular one.
  *
  * By the fourth order a piece has the type of P at its middle, so that of two ends of different
  * type the one nearer to the turning point takes the change. A piece that ends at an umbilic is
  * hyperbolic, as every ridge is there (section 6.5).
  */
-void MarchTriangle(const TriangleMesh& mesh, const MongeField& field, Color color,
-  const MarchingRules& rules, Id triangle, std::vector<RidgeSegment>& segments);
+void MarchTriangle(
+  const RidgeCrossings& crossings, TypeRule rule, Id triangle, std::vector<RidgeSegment>& segments);
 
 } // namespace ridges
 

@@ -23,6 +23,8 @@ struct HeightJet
   static constexpr int Size(int degree) { return (degree + 1) * (degree + 2) / 2; }
   static constexpr int Index(int i, int j) { return (i + j) * (i + j + 1) / 2 + j; }
 
+  static constexpr double Factorial(int n) { return n < 2 ? 1.0 : n * Factorial(n - 1); }
+
   double Derivative(int i, int j) const { return this->derivatives[Index(i, j)]; }
 
   /// The derivatives of one degree: a symmetric tensor of that order.

@@ -103,6 +103,14 @@ Span<Id> RingNeighborhood::Gather(Id vertex, const NeighborhoodRule& rule)
         ++this->NumberOfRings_;
       }
       break;
+    case NeighborhoodRule::Kind::RingsAndPointCount:
+      while ((this->NumberOfRings_ < rule.numberOfRings ||
+               this->Count_ < rule.minimumNumberOfPoints) &&
+        this->AddRing(any))
+      {
+        ++this->NumberOfRings_;
+      }
+      break;
     case NeighborhoodRule::Kind::Radius:
     {
       const Eigen::Vector3d center = this->Mesh_.Point(vertex);

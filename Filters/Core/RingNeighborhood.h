@@ -14,6 +14,7 @@ struct NeighborhoodRule
   {
     PointCount, ///< Whole rings until there are at least `minimumNumberOfPoints` points.
     Rings,      ///< Exactly `numberOfRings` rings.
+    RingsAndPointCount, ///< Whole rings until there are at least that many rings and points.
     Radius      ///< The points connected to the vertex inside the ball of that `radius`.
   };
   Kind kind = Kind::PointCount;

@@ -48,24 +48,76 @@ void TriangleMesh::BuildIncidence()
   }
 }
 
-void TriangleMesh::BuildEdges()
+void TriangleMesh::BuildEdges(const RangeLoop& loop)
 {
-  // Half-edges at one smaller end, sorted by the other end: linear over the mesh, and safe where
-  // very many triangles share one point.
+  // Chunks of points find and number the edges to larger points on their own; then the chunks are
+  // put one behind the other.
+  constexpr Id chunkSize = 4096;
+  const Id count = this->NumberOfPoints_;
+  const Id chunks = (count + chunkSize - 1) / chunkSize;
+  std::vector<std::vector<Edge>> found(chunks);
+  this->TriangleEdges_.resize(this->Triangles_.size());
+  loop(chunks,
+    [&](Id begin, Id end)
+    {
+      for (Id chunk = begin; chunk < end; ++chunk)
+      {
+        this->FindEdges(chunk * chunkSize, std::min(count, (chunk + 1) * chunkSize), found[chunk]);
+      }
+    });
+
+  std::vector<Id> first(static_cast<std::size_t>(chunks) + 1, 0);
+  for (Id chunk = 0; chunk < chunks; ++chunk)
+  {
+    first[chunk + 1] = first[chunk] + static_cast<Id>(found[chunk].size());
+  }
+  this->Edges_.resize(first[chunks]);
+  loop(chunks,
+    [&](Id begin, Id end)
+    {
+      for (Id chunk = begin; chunk < end; ++chunk)
+      {
+        std::copy(found[chunk].begin(), found[chunk].end(), this->Edges_.begin() + first[chunk]);
+      }
+    });
+  loop(this->NumberOfTriangles(),
+    [&](Id begin, Id end)
+    {
+      for (Id t = begin; t < end; ++t)
+      {
+        const Triangle& c = this->Triangles_[t];
+        for (int i = 0; i < 3; ++i)
+        {
+          this->TriangleEdges_[t][i] += first[std::min(c[i], c[(i + 1) % 3]) / chunkSize];
+        }
+      }
+    });
+
+  this->OnBorder_.assign(count, 0);
+  for (const Edge& edge : this->Edges_)
+  {
+    if (edge.t1 < 0)
+    {
+      this->OnBorder_[edge.v0] = 1;
+      this->OnBorder_[edge.v1] = 1;
+    }
+  }
+}
+
+/// Appends the edges from the points [begin, end) to larger ones, numbered from 0.
+void TriangleMesh::FindEdges(Id begin, Id end, std::vector<Edge>& edges)
+{
   struct HalfEdge
   {
     Id other;
     Id triangle;
     int side;
   };
+  edges.reserve(3 * static_cast<std::size_t>(end - begin) + 64);
   std::vector<HalfEdge> halfEdges;
-
-  this->TriangleEdges_.resize(this->Triangles_.size());
-  this->Edges_.clear();
-  this->Edges_.reserve(this->Triangles_.size() + this->Triangles_.size() / 2);
-  this->OnBorder_.assign(this->NumberOfPoints_, 0);
-  for (Id p = 0; p < this->NumberOfPoints_; ++p)
+  for (Id p = begin; p < end; ++p)
   {
+    // Sorted by the other end: safe also where very many triangles share one point.
     halfEdges.clear();
     for (const Id t : this->TrianglesAround(p))
     {
@@ -84,28 +136,21 @@ void TriangleMesh::BuildEdges()
       [](const HalfEdge& a, const HalfEdge& b)
       { return a.other != b.other ? a.other < b.other : a.triangle < b.triangle; });
 
-    for (std::size_t first = 0; first < halfEdges.size();)
+    for (std::size_t i = 0; i < halfEdges.size();)
     {
-      std::size_t last = first + 1;
-      while (last < halfEdges.size() && halfEdges[last].other == halfEdges[first].other)
+      std::size_t last = i + 1;
+      while (last < halfEdges.size() && halfEdges[last].other == halfEdges[i].other)
       {
         ++last;
       }
-      const std::size_t count = last - first;
-      const Id t1 =
-        count == 2 ? halfEdges[first + 1].triangle : (count == 1 ? Border : NonManifold);
-      const Id id = this->NumberOfEdges();
-      this->Edges_.push_back({ p, halfEdges[first].other, halfEdges[first].triangle, t1 });
-      for (std::size_t i = first; i < last; ++i)
+      const std::size_t count = last - i;
+      const Id t1 = count == 2 ? halfEdges[i + 1].triangle : (count == 1 ? Border : NonManifold);
+      const Id number = static_cast<Id>(edges.size());
+      edges.push_back({ p, halfEdges[i].other, halfEdges[i].triangle, t1 });
+      for (; i < last; ++i)
       {
-        this->TriangleEdges_[halfEdges[i].triangle][halfEdges[i].side] = id;
+        this->TriangleEdges_[halfEdges[i].triangle][halfEdges[i].side] = number;
       }
-      if (count != 2)
-      {
-        this->OnBorder_[p] = 1;
-        this->OnBorder_[halfEdges[first].other] = 1;
-      }
-      first = last;
     }
   }
 }

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 namespace ridges
@@ -13,6 +14,10 @@ namespace ridges
 
 /// Index of a point, an edge or a triangle. 32 bits keep the adjacency small.
 using Id = std::int32_t;
+
+/// Runs body(begin, end) over ranges that make up [0, count), maybe at the same time: how callers
+/// lend threads to the numerics, which have none of their own.
+using RangeLoop = std::function<void(Id count, const std::function<void(Id, Id)>& body)>;
 
 /// Corners of a triangle, in the order that orients it.
 using Triangle = std::array<Id, 3>;
@@ -66,8 +71,10 @@ public:
   TriangleMesh(const double* points, Id numberOfPoints, std::vector<Triangle> triangles,
     Edges edges = Edges::Built);
 
-  /// Numbers the edges: for whatever speaks of edges, neighbours or borders.
-  void BuildEdges();
+  /// Numbers the edges: for whatever speaks of edges, neighbours or borders. By the smaller of
+  /// their points, and there by the larger, whatever the loop.
+  void BuildEdges(const RangeLoop& loop = InOneRange);
+  static void InOneRange(Id count, const std::function<void(Id, Id)>& body) { body(0, count); }
 
   Id NumberOfPoints() const { return this->NumberOfPoints_; }
   Id NumberOfTriangles() const { return static_cast<Id>(this->Triangles_.size()); }
@@ -122,6 +129,7 @@ public:
 
 private:
   void BuildIncidence();
+  void FindEdges(Id begin, Id end, std::vector<Edge>& edges);
 
   const double* Points_ = nullptr;
   Id NumberOfPoints_ = 0;

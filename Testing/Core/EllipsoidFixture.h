@@ -54,10 +54,12 @@ struct FittedEllipsoid
 inline std::vector<RidgeSegment> MarchMesh(
   const TriangleMesh& mesh, const MongeField& field, Color color, TypeRule rule)
 {
+  RidgeCrossings crossings(mesh, field, color, CrossingRule::Form);
+  crossings.Build();
   std::vector<RidgeSegment> segments;
   for (Id t = 0; t < mesh.NumberOfTriangles(); ++t)
   {
-    MarchTriangle(mesh, field, color, { rule, CrossingRule::Form }, t, segments);
+    MarchTriangle(crossings, rule, t, segments);
   }
   return segments;
 }

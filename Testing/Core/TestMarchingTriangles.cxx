@@ -85,9 +85,11 @@ TEST(MarchingTriangles, JoinsTheCrossedEdgesOfATriangle)
     const MongeField field = arrays.View();
     for (const TypeRule rule : { TypeRule::FourthOrder, TypeRule::ThirdOrder })
     {
-      for (Id t = 0; t < mesh.NumberOfTriangles(); ++t)
+      for (const Color color : { Color::Blue, Color::Red })
       {
-        for (const Color color : { Color::Blue, Color::Red })
+        RidgeCrossings crossings(mesh, field, color, CrossingRule::Form);
+        crossings.Build();
+        for (Id t = 0; t < mesh.NumberOfTriangles(); ++t)
         {
           std::vector<Id> crossed;
           for (int i = 0; i < 3; ++i)
@@ -98,7 +100,7 @@ TEST(MarchingTriangles, JoinsTheCrossedEdgesOfATriangle)
             }
           }
           std::vector<RidgeSegment> segments;
-          MarchTriangle(mesh, field, color, { rule, CrossingRule::Form }, t, segments);
+          MarchTriangle(crossings, rule, t, segments);
           ++seen[crossed.size()];
           std::vector<Id> ends;
           for (const RidgeSegment& segment : segments)
