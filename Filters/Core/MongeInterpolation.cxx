@@ -13,13 +13,31 @@ namespace ridges
 namespace
 {
 
-/// The form of an order in the frame turned by an angle from the one it is given in.
+using Turn = MongeInterpolation::Turn;
+
+/// The form of an order in the frame turned from the one it is given in.
 template <int Order>
-SymmetricTensor<Order> Turned(const SymmetricTensor<Order>& form, double angle)
+SymmetricTensor<Order> Turned(const SymmetricTensor<Order>& form, const Turn& turn)
 {
-  const double x = std::cos(angle);
-  const double y = std::sin(angle);
-  return InBasis(form, { x, y }, { -y, x });
+  return InBasis(form, { turn.cosine, turn.sine }, { -turn.sine, turn.cosine });
+}
+
+Turn Back(const Turn& turn)
+{
+  return { turn.cosine, -turn.sine };
+}
+
+/// By half the angle of a vector, in [-90, 90] degrees; none for a zero vector. Without
+/// trigonometry, as this is done some times for every crossing.
+Turn HalfOf(double x, double y, double length)
+{
+  if (!(length > 0.0))
+  {
+    return { 1.0, 0.0 };
+  }
+  const double larger = std::sqrt(0.5 * (1.0 + std::abs(x) / length));
+  const double smaller = 0.5 * std::abs(y) / (length * larger);
+  return { x >= 0.0 ? larger : smaller, std::copysign(x >= 0.0 ? smaller : larger, y) };
 }
 
 template <int Order>
@@ -43,17 +61,19 @@ SymmetricTensor<Order> Between(
 }
 
 /**
- * The angle by which the frame of q, turned by half a turn if the acute rule says so, is turned
- * from that of p: the one that brings both directions closest together. Swapping p and q, and
- * looking from the other side of the surface, change nothing but its sign.
+ * How the frame of q, turned by half a turn if the acute rule says so, is turned from that of p:
+ * the turn that brings both directions closest together. Swapping p and q, and looking from the
+ * other side of the surface, change nothing but its sense.
  */
-double AngleBetween(const MongeField& field, Id p, Id q)
+Turn TurnBetween(const MongeField& field, Id p, Id q)
 {
   const double sign = AcuteSign(field, p, q);
-  const double cosine = field.D1(p).dot(field.D1(q)) + field.D2(p).dot(field.D2(q));
-  const double sine = field.D2(p).dot(field.D1(q)) - field.D1(p).dot(field.D2(q));
-  constexpr double rightAngle = 1.57079632679489662;
-  return std::clamp(std::atan2(sign * sine, sign * cosine), -rightAngle, rightAngle);
+  const double x = sign * (field.D1(p).dot(field.D1(q)) + field.D2(p).dot(field.D2(q)));
+  const double y = sign * (field.D2(p).dot(field.D1(q)) - field.D1(p).dot(field.D2(q)));
+  const double length = std::sqrt(x * x + y * y);
+  // Where tangent planes are far apart the acute rule may turn by more than a right angle.
+  return length > 0.0 && x > 0.0 ? Turn{ x / length, y / length }
+                                 : Turn{ 0.0, std::copysign(1.0, y) };
 }
 
 } // namespace
@@ -62,13 +82,22 @@ MongeInterpolation::MongeInterpolation(const MongeField& field, Id p, Id q)
   : Field_(field)
   , P_(p)
   , Q_(q)
-  , Angle_(AngleBetween(field, p, q))
-  , ThirdOrderOfQ_(Turned<3>(FormAt<3>(field.b, q), -Angle_))
+  , Turn_(TurnBetween(field, p, q))
+  , SumP_(field.k1[p] + field.k2[p])
+  , SumQ_(field.k1[q] + field.k2[q])
+  , GapP_(field.k1[p] - field.k2[p])
+  , ThirdOrderP_(FormAt<3>(field.b, p))
+  , ThirdOrderQ_(Turned<3>(FormAt<3>(field.b, q), Back(Turn_)))
 {
+  const double gapQ = field.k1[q] - field.k2[q];
+  const double cosine = this->Turn_.cosine;
+  const double sine = this->Turn_.sine;
+  this->AlongQ_ = gapQ * (cosine * cosine - sine * sine);
+  this->AcrossQ_ = gapQ * 2.0 * cosine * sine;
   // The stored frame of q may be the other one by the acute rule.
   if (AcuteSign(field, p, q) < 0)
   {
-    for (double& value : this->ThirdOrderOfQ_)
+    for (double& value : this->ThirdOrderQ_)
     {
       value = -value;
     }
@@ -77,17 +106,11 @@ MongeInterpolation::MongeInterpolation(const MongeField& field, Id p, Id q)
 
 MongeInterpolation::SecondOrder MongeInterpolation::SecondOrderAt(double t) const
 {
-  const MongeField& field = this->Field_;
-  const auto between = [t](double atP, double atQ) { return (1.0 - t) * atP + t * atQ; };
-  const double gapP = field.k1[this->P_] - field.k2[this->P_];
-  const double gapQ = field.k1[this->Q_] - field.k2[this->Q_];
-  // The traceless form: a vector as long as the gap, at twice the angle of d1.
-  const double along = between(gapP, gapQ * std::cos(2.0 * this->Angle_));
-  const double across = between(0.0, gapQ * std::sin(2.0 * this->Angle_));
-  const double gap = std::hypot(along, across);
-  const double sum =
-    between(field.k1[this->P_] + field.k2[this->P_], field.k1[this->Q_] + field.k2[this->Q_]);
-  return { 0.5 * (sum + gap), 0.5 * (sum - gap), 0.5 * std::atan2(across, along) };
+  const double along = (1.0 - t) * this->GapP_ + t * this->AlongQ_;
+  const double across = t * this->AcrossQ_;
+  const double gap = std::sqrt(along * along + across * across);
+  const double sum = (1.0 - t) * this->SumP_ + t * this->SumQ_;
+  return { 0.5 * (sum + gap), 0.5 * (sum - gap), HalfOf(along, across, gap) };
 }
 
 MongeForm MongeInterpolation::At(double t) const
@@ -95,20 +118,16 @@ MongeForm MongeInterpolation::At(double t) const
   const SecondOrder second = this->SecondOrderAt(t);
   const Eigen::Vector3d d1 = this->Field_.D1(this->P_);
   const Eigen::Vector3d d2 = this->Field_.D2(this->P_);
-  const double cosine = std::cos(second.turn);
-  const double sine = std::sin(second.turn);
-
   MongeForm form;
-  form.d1 = cosine * d1 + sine * d2;
-  form.d2 = cosine * d2 - sine * d1;
+  form.d1 = second.turn.cosine * d1 + second.turn.sine * d2;
+  form.d2 = second.turn.cosine * d2 - second.turn.sine * d1;
   form.n = d1.cross(d2);
   form.k1 = second.k1;
   form.k2 = second.k2;
-  form.b = Turned<3>(
-    Between<3>(FormAt<3>(this->Field_.b, this->P_), this->ThirdOrderOfQ_, t), second.turn);
+  form.b = Turned<3>(Between<3>(this->ThirdOrderP_, this->ThirdOrderQ_, t), second.turn);
   if (this->Field_.c)
   {
-    const auto atQ = Turned<4>(FormAt<4>(this->Field_.c, this->Q_), -this->Angle_);
+    const auto atQ = Turned<4>(FormAt<4>(this->Field_.c, this->Q_), Back(this->Turn_));
     form.c = Turned<4>(Between<4>(FormAt<4>(this->Field_.c, this->P_), atQ, t), second.turn);
   }
   return form;
@@ -116,10 +135,10 @@ MongeForm MongeInterpolation::At(double t) const
 
 double MongeInterpolation::Extremality(Color color, double t) const
 {
-  const auto b = Between<3>(FormAt<3>(this->Field_.b, this->P_), this->ThirdOrderOfQ_, t);
-  const double turn = this->SecondOrderAt(t).turn;
-  const double x = color == Color::Blue ? std::cos(turn) : -std::sin(turn);
-  const double y = color == Color::Blue ? std::sin(turn) : std::cos(turn);
+  const auto b = Between<3>(this->ThirdOrderP_, this->ThirdOrderQ_, t);
+  const Turn turn = this->SecondOrderAt(t).turn;
+  const double x = color == Color::Blue ? turn.cosine : -turn.sine;
+  const double y = color == Color::Blue ? turn.sine : turn.cosine;
   return x * x * (b[0] * x + 3.0 * b[1] * y) + y * y * (3.0 * b[2] * x + b[3] * y);
 }
 

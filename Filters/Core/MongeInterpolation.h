@@ -33,20 +33,36 @@ public:
   /// frame that the acute rule turns it to: the signs at the ends differ where IsCrossed.
   double Extremality(Color color, double t) const;
 
+  /// A turn in the tangent plane.
+  struct Turn
+  {
+    double cosine;
+    double sine;
+  };
+
 private:
   struct SecondOrder
   {
     double k1;
     double k2;
-    double turn; ///< Angle of d1 from that of p.
+    Turn turn; ///< Of d1 from that of p.
   };
   SecondOrder SecondOrderAt(double t) const;
 
   MongeField Field_;
   Id P_;
   Id Q_;
-  double Angle_;                     ///< From d1 of p to that of q.
-  SymmetricTensor<3> ThirdOrderOfQ_; ///< In the frame of p.
+  Turn Turn_; ///< Of the frame of q from that of p.
+
+  /// In the frame of p: k1 + k2 of both, k1 - k2 of p, and of q as a vector at twice the angle of
+  /// d1.
+  double SumP_;
+  double SumQ_;
+  double GapP_;
+  double AlongQ_;
+  double AcrossQ_;
+  SymmetricTensor<3> ThirdOrderP_;
+  SymmetricTensor<3> ThirdOrderQ_;
 };
 
 } // namespace ridges

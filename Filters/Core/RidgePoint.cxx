@@ -19,7 +19,7 @@ namespace
 /// its Illinois form, whose first step is equation (4).
 double FindCrossing(const MongeInterpolation& interpolation, Color color)
 {
-  constexpr double tolerance = 1e-10;
+  constexpr double tolerance = 1e-8; // of the edge
   double begin = 0.0;
   double end = 1.0;
   double atBegin = interpolation.Extremality(color, begin);
