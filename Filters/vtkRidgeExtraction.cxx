@@ -40,21 +40,21 @@ namespace
 
 struct FindCrossings
 {
-  ridges::RidgeCrossings& Crossings;
+  ridges::RidgeCrossings& crossings;
 
   void operator()(vtkIdType begin, vtkIdType end)
   {
-    this->Crossings.Find(static_cast<ridges::Id>(begin), static_cast<ridges::Id>(end));
+    this->crossings.Find(static_cast<ridges::Id>(begin), static_cast<ridges::Id>(end));
   }
 };
 
 struct PlaceCrossings
 {
-  ridges::RidgeCrossings& Crossings;
+  ridges::RidgeCrossings& crossings;
 
   void operator()(vtkIdType begin, vtkIdType end)
   {
-    this->Crossings.Place(static_cast<ridges::Id>(begin), static_cast<ridges::Id>(end));
+    this->crossings.Place(static_cast<ridges::Id>(begin), static_cast<ridges::Id>(end));
   }
 };
 

@@ -10,7 +10,7 @@ namespace
 
 constexpr int Lanes = RIDGES_LANES;
 
-typedef double Vec __attribute__((vector_size(Lanes * sizeof(double))));
+using Vec = double __attribute__((vector_size(Lanes * sizeof(double))));
 
 inline Vec Load(const double* values)
 {

@@ -91,7 +91,7 @@ RidgePoint RidgePointOnEdge(
 Eigen::Vector3d UmbilicWeights(const TriangleMesh& mesh, const MongeField& field, Id triangle)
 {
   const Triangle& corners = mesh.Corners(triangle);
-  const Eigen::Vector3d centroid = Eigen::Vector3d::Constant(1.0 / 3.0);
+  Eigen::Vector3d centroid = Eigen::Vector3d::Constant(1.0 / 3.0);
   const Eigen::Vector3d normal = mesh.AreaNormal(triangle);
   const Eigen::Vector3d e1 = (mesh.Point(corners[1]) - mesh.Point(corners[0])).normalized();
   const Eigen::Vector3d e2 = normal.cross(e1).normalized();
