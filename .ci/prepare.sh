@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Installs what is missing (Debian packages), then configures and builds into build/.
 #
-#   .ci/prepare.sh [program] [python] [testing]
+#   .ci/prepare.sh [program] [python] [testing] [benchmarks]
 #
 # Each argument adds a part to the build, with the packages it needs. The first call decides what
 # is left out; later ones only add.
@@ -27,6 +27,10 @@ for part in "$@"; do
     testing)
       packages+=(libcgal-demo libcgal-dev libgtest-dev)
       options+=(-DBUILD_TESTING=ON)
+      ;;
+    benchmarks)
+      packages+=(libbenchmark-dev libcgal-demo libcgal-dev)
+      options+=(-DRIDGES_BUILD_BENCHMARKS=ON)
       ;;
     *)
       echo "$0: unknown part '$part'" >&2
