@@ -1,18 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkJetFitting.h"
 
-#include "Core/JetBatch.h"
-#include "Core/JetBatchFiller.h"
 #include "Core/JetFit.h"
-#include "Core/MongeForm.h"
 #include "Core/OrderedRings.h"
 #include "Core/RingNeighborhood.h"
+#include "Core/ScaleSelection.h"
 #include "vtkRidgesArrayNames.h"
 #include "vtkRidgesBatches.h"
+#include "vtkRidgesFitPoints.h"
 #include "vtkRidgesMesh.h"
+#include "vtkRidgesMongeOutput.h"
 
 #include "vtkCellData.h"
-#include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkIntArray.h"
@@ -40,108 +39,6 @@ static_assert(static_cast<int>(vtkJetFitting::FIT_BOUNDARY) == ridges::FitBounda
 namespace
 {
 
-/// The arrays that come out, one tuple per point, each point to be stored once.
-class MongeOutput
-{
-public:
-  MongeOutput(vtkIdType count, int order)
-  {
-    this->Add(this->Normals, names::Normals, 3, count, order >= 1);
-    this->Add(this->MaximumCurvature, names::MaximumCurvature, 1, count, order >= 2);
-    this->Add(this->MinimumCurvature, names::MinimumCurvature, 1, count, order >= 2);
-    this->Add(this->MaximumDirection, names::MaximumDirection, 3, count, order >= 2);
-    this->Add(this->MinimumDirection, names::MinimumDirection, 3, count, order >= 2);
-    this->Add(this->ThirdOrder, names::ThirdOrder, 4, count, order >= 3, "b");
-    this->Add(this->FourthOrder, names::FourthOrder, 5, count, order >= 4, "c");
-    this->Add(this->P1, names::P1, 1, count, order >= 4);
-    this->Add(this->P2, names::P2, 1, count, order >= 4);
-    this->Add(this->ConditionNumber, names::FitConditionNumber, 1, count, true);
-    this->Add(this->Residual, names::FitResidual, 1, count, true);
-    this->StatusArray->SetName(names::FitStatus);
-    this->StatusArray->SetNumberOfTuples(count);
-    this->Status = this->StatusArray->GetPointer(0);
-  }
-
-  void Store(
-    vtkIdType p, const ridges::MongeForm& form, double conditionNumber, double residual, int status)
-  {
-    Put(this->Normals, p, form.n);
-    Put(this->MaximumDirection, p, form.d1);
-    Put(this->MinimumDirection, p, form.d2);
-    Put(this->ThirdOrder, p, form.b);
-    Put(this->FourthOrder, p, form.c);
-    Put(this->MaximumCurvature, p, form.k1);
-    Put(this->MinimumCurvature, p, form.k2);
-    Put(this->P1, p, form.P1());
-    Put(this->P2, p, form.P2());
-    Put(this->ConditionNumber, p, conditionNumber);
-    Put(this->Residual, p, residual);
-    this->Status[p] = status;
-  }
-
-  void AddTo(vtkPointData* pointData)
-  {
-    // What an earlier fit of higher order may have left would not belong to this one.
-    for (const char* name :
-      { names::Normals, names::MaximumCurvature, names::MinimumCurvature, names::MaximumDirection,
-        names::MinimumDirection, names::ThirdOrder, names::FourthOrder, names::P1, names::P2 })
-    {
-      pointData->RemoveArray(name);
-    }
-    for (const auto& array : this->Arrays)
-    {
-      pointData->AddArray(array);
-    }
-    pointData->AddArray(this->StatusArray);
-    pointData->SetActiveNormals(names::Normals);
-  }
-
-  vtkIntArray* GetStatus() { return this->StatusArray; }
-
-private:
-  void Add(double*& values, const char* name, int components, vtkIdType count, bool wanted,
-    const char* componentPrefix = nullptr)
-  {
-    values = nullptr;
-    if (wanted)
-    {
-      vtkNew<vtkDoubleArray> array;
-      array->SetName(name);
-      array->SetNumberOfComponents(components);
-      for (int i = 0; componentPrefix && i < components; ++i)
-      {
-        array->SetComponentName(i, (componentPrefix + std::to_string(i)).c_str());
-      }
-      array->SetNumberOfTuples(count);
-      values = array->GetPointer(0);
-      this->Arrays.emplace_back(array);
-    }
-  }
-
-  template <typename Tuple>
-  static void Put(double* values, vtkIdType p, const Tuple& tuple)
-  {
-    if (values)
-    {
-      const auto size = static_cast<vtkIdType>(tuple.size());
-      std::copy_n(tuple.data(), size, values + p * size);
-    }
-  }
-  static void Put(double* values, vtkIdType p, double value)
-  {
-    if (values)
-    {
-      values[p] = value;
-    }
-  }
-
-  double *Normals, *MaximumCurvature, *MinimumCurvature, *MaximumDirection, *MinimumDirection,
-    *ThirdOrder, *FourthOrder, *P1, *P2, *ConditionNumber, *Residual;
-  int* Status;
-  std::vector<vtkSmartPointer<vtkDoubleArray>> Arrays;
-  vtkNew<vtkIntArray> StatusArray;
-};
-
 /// Marks of an earlier vtkUmbilicDetection do not belong to this fit.
 void RemoveUmbilics(vtkPolyData* mesh)
 {
@@ -157,15 +54,6 @@ void RemoveUmbilics(vtkPolyData* mesh)
   mesh->SetFieldData(field);
 }
 
-bool IsFinite(const ridges::MongeForm& form)
-{
-  const auto finite = [](double value) { return std::isfinite(value); };
-  return finite(form.k1) && finite(form.k2) && finite(form.P1()) && finite(form.P2()) &&
-    form.n.allFinite() && form.d1.allFinite() && form.d2.allFinite() &&
-    std::all_of(form.b.begin(), form.b.end(), finite) &&
-    std::all_of(form.c.begin(), form.c.end(), finite);
-}
-
 struct BuildRings
 {
   ridges::OrderedRings& Rings;
@@ -176,155 +64,29 @@ struct BuildRings
   }
 };
 
-class FitPoints
+struct TryScales
 {
-public:
-  FitPoints(const ridges::TriangleMesh& mesh, const ridges::OrderedRings& rings,
-    const ridges::NeighborhoodRule& rule, int degree, MongeOutput& output)
-    : Mesh(mesh)
-    , Rings(rings)
-    , Rule(rule)
-    , Degree(degree)
-    , Output(output)
-  {
-    // The batches know degrees 2 to 4; whatever they cannot do is done point by point.
-    const std::vector<ridges::JetBatchKernel>& kernels = ridges::JetBatchKernels();
-    if (degree >= 2 && !kernels.empty())
-    {
-      this->Kernel = &kernels.front();
-    }
-  }
+  const ridges::TriangleMesh& Mesh;
+  const ridges::OrderedRings& Rings;
+  int Degree;
+  int MinimumNumberOfPoints;
+  const std::vector<ridges::Id>& Sample;
+  std::vector<ridges::ScaleTrial>& Trials;
+  vtkSMPThreadLocal<std::shared_ptr<ridges::ScaleProbe>> PerThread;
 
   void operator()(vtkIdType begin, vtkIdType end)
   {
-    std::shared_ptr<Scratch>& scratch = this->PerThread.Local();
-    if (!scratch)
+    std::shared_ptr<ridges::ScaleProbe>& probe = this->PerThread.Local();
+    if (!probe)
     {
-      scratch = std::make_shared<Scratch>(*this);
+      probe = std::make_shared<ridges::ScaleProbe>(
+        this->Mesh, this->Rings, this->Degree, this->MinimumNumberOfPoints);
     }
-    for (vtkIdType p = begin; p < end; ++p)
+    for (vtkIdType i = begin; i < end; ++i)
     {
-      this->Take(static_cast<ridges::Id>(p), *scratch);
-    }
-    this->FitBatch(*scratch);
-  }
-
-private:
-  struct Scratch
-  {
-    explicit Scratch(const FitPoints& fit)
-      : Neighborhood(fit.Mesh, fit.Rings)
-      , Batch(fit.Degree, fit.Kernel ? fit.Kernel->lanes : 1)
-    {
-    }
-    ridges::RingNeighborhood Neighborhood;
-    ridges::JetFitter Fitter;
-    ridges::JetBatchFiller Batch;
-    Eigen::Matrix3Xd Offsets;
-  };
-
-  /// Into the batch with it if it fits there, else it is fitted at once.
-  void Take(ridges::Id p, Scratch& scratch)
-  {
-    const auto points = scratch.Neighborhood.Gather(p, this->Rule);
-    if (!this->Kernel || !scratch.Batch.Add(this->Mesh, p, points))
-    {
-      this->FitAlone(p, scratch);
-    }
-    else if (scratch.Batch.IsFull())
-    {
-      this->FitBatch(scratch);
+      this->Trials[i] = probe->Try(this->Sample[i]);
     }
   }
-
-  void FitBatch(Scratch& scratch)
-  {
-    if (scratch.Batch.IsEmpty())
-    {
-      return;
-    }
-    this->Kernel->fit(scratch.Batch.Complete());
-    for (int lane = 0; lane < scratch.Batch.Size(); ++lane)
-    {
-      const ridges::Id p = scratch.Batch.Vertex(lane);
-      ridges::MongeForm form;
-      double conditionNumber = 0.0;
-      double residual = 0.0;
-      const bool good = scratch.Batch.Result(lane, form, conditionNumber, residual);
-      if (good && conditionNumber <= GrowAbove)
-      {
-        this->Store(p, form, conditionNumber, residual, ridges::FitGood);
-      }
-      else
-      {
-        this->FitAlone(p, scratch);
-      }
-    }
-    scratch.Batch.Clear();
-  }
-
-  ridges::JetFit Fit(ridges::Id p, ridges::Span<ridges::Id> points, Scratch& scratch) const
-  {
-    const Eigen::Vector3d origin = this->Mesh.Point(p);
-    scratch.Offsets.resize(3, points.size());
-    for (ridges::Id i = 0; i < points.size(); ++i)
-    {
-      scratch.Offsets.col(i) = this->Mesh.Point(points[i]) - origin;
-    }
-    return scratch.Fitter.Fit(scratch.Offsets, this->Degree, this->Mesh.PointNormal(p));
-  }
-
-  void FitAlone(ridges::Id p, Scratch& scratch)
-  {
-    // One-sided neighbourhoods may hold enough points in too few rows: a few rings more help.
-    // Where the user has said how many rings, or how far, it stays at that.
-    constexpr int mostRingsAdded = 4;
-    ridges::JetFit fit = this->Fit(p, scratch.Neighborhood.Gather(p, this->Rule), scratch);
-    const bool mayGrow = this->Rule.kind == ridges::NeighborhoodRule::Kind::PointCount;
-    for (int added = 0; mayGrow && added < mostRingsAdded && fit.conditionNumber > GrowAbove;
-         ++added)
-    {
-      fit = this->Fit(p, scratch.Neighborhood.Grow(), scratch);
-    }
-
-    // Less than a quadric says nothing of curvature, unless a plane was all that was asked for.
-    int status = fit.status;
-    if (fit.degree < std::min(2, this->Degree))
-    {
-      status |= ridges::FitInvalid;
-    }
-    ridges::MongeForm form;
-    if (!(status & ridges::FitInvalid))
-    {
-      form = ridges::MongeFormOfHeightJet(fit.jet, fit.frame);
-    }
-    this->Store(p, form, fit.conditionNumber, fit.residual, status);
-  }
-
-  void Store(ridges::Id p, const ridges::MongeForm& form, double conditionNumber, double residual,
-    int status)
-  {
-    status |= this->Rings.OnBorder(p) ? ridges::FitBoundary : 0;
-    if (!(status & ridges::FitInvalid) && IsFinite(form) && std::isfinite(residual))
-    {
-      this->Output.Store(p, form, conditionNumber, residual, status);
-    }
-    else
-    {
-      this->Output.Store(p, ridges::MongeForm(), 0.0, 0.0, status | ridges::FitInvalid);
-    }
-  }
-
-  static constexpr double GrowAbove = 2000.0;
-
-  const ridges::TriangleMesh& Mesh;
-  const ridges::OrderedRings& Rings;
-  ridges::NeighborhoodRule Rule;
-  int Degree;
-  MongeOutput& Output;
-  const ridges::JetBatchKernel* Kernel = nullptr;
-  // Shared, as vtkSMPThreadLocal copies the (empty) value it starts from.
-  vtkSMPThreadLocal<std::shared_ptr<Scratch>> PerThread;
 };
 
 /// One text for all that is wrong with the mesh or the fits; empty if all is well.
@@ -384,16 +146,25 @@ const char* vtkJetFitting::GetNeighborhoodAsString() const
       return "Rings";
     case BY_RADIUS:
       return "Radius";
+    case AUTOMATIC:
+      return "Automatic";
     default:
       return "PointCount";
   }
 }
 
+const char* vtkJetFitting::GetWeightingAsString() const
+{
+  return this->Weighting == GAUSSIAN ? "Gaussian" : "Uniform";
+}
+
 int vtkJetFitting::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
+  using Kind = ridges::NeighborhoodRule::Kind;
   vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
+  this->SelectedNumberOfRings = 0;
 
   if (this->Neighborhood == BY_RADIUS && !(this->Radius > 0.0 && std::isfinite(this->Radius)))
   {
@@ -401,15 +172,18 @@ int vtkJetFitting::RequestData(
       "Neighborhood is by radius, but Radius is " << this->Radius << ": set a positive one.");
     return 0;
   }
-  ridges::NeighborhoodRule rule;
-  rule.kind = this->Neighborhood == BY_RINGS
-    ? ridges::NeighborhoodRule::Kind::Rings
-    : (this->Neighborhood == BY_RADIUS ? ridges::NeighborhoodRule::Kind::Radius
-                                       : ridges::NeighborhoodRule::Kind::PointCount);
-  rule.minimumNumberOfPoints =
+  constexpr Kind kinds[] = { Kind::PointCount, Kind::Rings, Kind::Radius,
+    Kind::RingsAndPointCount };
+  vtkRidgesFitPoints::Settings settings;
+  settings.degree = this->Degree;
+  settings.weighting =
+    this->Weighting == GAUSSIAN ? ridges::Weighting::Gaussian : ridges::Weighting::Uniform;
+  settings.standardErrors = this->StandardErrors;
+  settings.rule.kind = kinds[this->Neighborhood];
+  settings.rule.minimumNumberOfPoints =
     std::max(this->MinimumNumberOfPoints, ridges::HeightJet::Size(this->Degree));
-  rule.numberOfRings = this->NumberOfRings;
-  rule.radius = this->Radius;
+  settings.rule.numberOfRings = this->NumberOfRings;
+  settings.rule.radius = this->Radius;
 
   vtkRidgesMesh mesh;
   if (!mesh.Build(input, {}, ridges::TriangleMesh::Edges::NotBuilt))
@@ -417,13 +191,32 @@ int vtkJetFitting::RequestData(
     vtkErrorMacro("The mesh has more points or triangles than 32-bit numbering allows.");
     return 0;
   }
+  const ridges::TriangleMesh& triangles = mesh.GetTriangles();
   const vtkIdType count = mesh.GetPolyData()->GetNumberOfPoints();
-  MongeOutput arrays(count, std::min(this->MongeOrder, this->Degree));
-  ridges::OrderedRings rings(mesh.GetTriangles());
+  vtkRidgesMongeOutput arrays(
+    count, std::min(this->MongeOrder, this->Degree), this->StandardErrors);
+  ridges::OrderedRings rings(triangles);
   BuildRings buildRings{ rings };
-  FitPoints fitPoints(mesh.GetTriangles(), rings, rule, this->Degree, arrays);
-  if (!vtkRidgesForBatches(this, count, 0.1, 0.2, buildRings) ||
-    !vtkRidgesForBatches(this, count, 0.2, 1.0, fitPoints))
+  if (!vtkRidgesForBatches(this, count, 0.1, 0.2, buildRings))
+  {
+    return 1;
+  }
+  if (this->Neighborhood == AUTOMATIC && count > 0)
+  {
+    const std::vector<ridges::Id> sample = ridges::ScaleSample(triangles);
+    std::vector<ridges::ScaleTrial> trials(sample.size());
+    TryScales tryScales{ triangles, rings, this->Degree, settings.rule.minimumNumberOfPoints,
+      sample, trials, {} };
+    if (!vtkRidgesForBatches(this, static_cast<vtkIdType>(sample.size()), 0.2, 0.3, tryScales))
+    {
+      return 1;
+    }
+    this->SelectedNumberOfRings = ridges::SelectNumberOfRings(trials, this->Degree);
+    settings.rule.numberOfRings = this->SelectedNumberOfRings;
+  }
+  vtkRidgesFitPoints fitPoints(triangles, rings, settings, arrays);
+  const double begin = this->Neighborhood == AUTOMATIC ? 0.3 : 0.2;
+  if (!vtkRidgesForBatches(this, count, begin, 1.0, fitPoints))
   {
     return 1;
   }
@@ -448,4 +241,7 @@ void vtkJetFitting::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MinimumNumberOfPoints: " << this->MinimumNumberOfPoints << "\n";
   os << indent << "NumberOfRings: " << this->NumberOfRings << "\n";
   os << indent << "Radius: " << this->Radius << "\n";
+  os << indent << "SelectedNumberOfRings: " << this->SelectedNumberOfRings << "\n";
+  os << indent << "Weighting: " << this->GetWeightingAsString() << "\n";
+  os << indent << "StandardErrors: " << (this->StandardErrors ? "On" : "Off") << "\n";
 }

@@ -28,18 +28,20 @@
  * | FitStatus          | 1     | 0, or a sum of vtkJetFitting::FitStatusBits      |       |
  * | FitConditionNumber | 1     | of the least squares, which is free of units     |       |
  * | FitResidual        | 1     | rms of the heights left over, per fitting radius |       |
+ * | FitScale           | 1     | radius of the neighbourhood that was fitted      | L     |
+ *
+ * and, if StandardErrors is on, the standard errors MaximumCurvatureError, MinimumCurvatureError,
+ * ThirdOrderError (of b0 to b3), P1Error and P2Error, in the unit of what they are the error of.
  *
  * Curvature is positive where the surface bends towards its normal: a sphere of radius r with
  * outward normals has k1 = k2 = -1/r. vtkCurvatures has the opposite sign.
  *
  * Method: jet fitting. The neighbourhood's principal axes give the height direction, the point
  * itself the origin; offsets are scaled by the neighbourhood's radius. Several points are fitted at
- * once, one in each lane of a vector register, by refined normal equations, which are as accurate
- * as an orthogonal decomposition; points whose pivots tell that they would not be are fitted one by
- * one by a column-pivoted one. The instruction set is chosen at run time. On a smooth surface
- * sampled at distance h the error of k is of the order of h^(Degree - 1), that of b h^(Degree - 2),
- * that of c h^(Degree - 3), and one order better on regular samplings where errors of odd degree
- * cancel.
+ * once by refined normal equations, those that these are not exact enough for one by one by an
+ * orthogonal decomposition. On a smooth surface sampled at distance h the error of k is of the
+ * order of h^(Degree - 1), that of b h^(Degree - 2), that of c h^(Degree - 3), and one order better
+ * on regular samplings.
  *
  * Guarantees: the same bytes for any number of threads, any SMP back end and any numbering of
  * points and cells; between machines with and without fused multiply-add k, b and P differ by
@@ -73,7 +75,15 @@ public:
   {
     BY_POINT_COUNT = 0,
     BY_RINGS = 1,
-    BY_RADIUS = 2
+    BY_RADIUS = 2,
+    AUTOMATIC = 3
+  };
+
+  /// How much the points of a neighbourhood count.
+  enum WeightingType
+  {
+    UNIFORM = 0,
+    GAUSSIAN = 1
   };
 
   /// Bits of the FitStatus array.
@@ -109,13 +119,16 @@ public:
    * What bounds a neighbourhood: whole rings until there are MinimumNumberOfPoints points and, up
    * to four rings more, until the least squares is well conditioned (default: it follows the
    * density of the mesh, never falls short, and gets borders right), exactly NumberOfRings rings,
-   * or what is connected to the point inside the ball of a Radius.
+   * what is connected to the point inside the ball of a Radius, or, for noisy meshes, automatic:
+   * the number of rings, 2 to 8, at which curvatures have the least estimated error on this mesh,
+   * else as by point count. Noise has to be independent from point to point (no smoothed mesh).
    */
-  vtkSetClampMacro(Neighborhood, int, BY_POINT_COUNT, BY_RADIUS);
+  vtkSetClampMacro(Neighborhood, int, BY_POINT_COUNT, AUTOMATIC);
   vtkGetMacro(Neighborhood, int);
   void SetNeighborhoodToPointCount() { this->SetNeighborhood(BY_POINT_COUNT); }
   void SetNeighborhoodToRings() { this->SetNeighborhood(BY_RINGS); }
   void SetNeighborhoodToRadius() { this->SetNeighborhood(BY_RADIUS); }
+  void SetNeighborhoodToAutomatic() { this->SetNeighborhood(AUTOMATIC); }
   const char* GetNeighborhoodAsString() const;
   ///@}
 
@@ -149,6 +162,35 @@ public:
   vtkGetMacro(Radius, double);
   ///@}
 
+  /// Rings that the last update chose, where Neighborhood was automatic; 0 where it was not.
+  vtkGetMacro(SelectedNumberOfRings, int);
+
+  ///@{
+  /**
+   * How much the points of a neighbourhood count: uniform, all the same, or by a Gaussian of the
+   * distance whose standard deviation is half of FitScale: 1 at the point, 0.135 at the radius.
+   * Default uniform: least variance; Gaussian takes a wider neighbourhood for the same.
+   */
+  vtkSetClampMacro(Weighting, int, UNIFORM, GAUSSIAN);
+  vtkGetMacro(Weighting, int);
+  void SetWeightingToUniform() { this->SetWeighting(UNIFORM); }
+  void SetWeightingToGaussian() { this->SetWeighting(GAUSSIAN); }
+  const char* GetWeightingAsString() const;
+  ///@}
+
+  ///@{
+  /**
+   * Whether standard errors are put out: by each fit's residuals, how far noise that is independent
+   * from point to point makes the values scatter. -1 stands for unknown: no fit, no more points
+   * than coefficients, or a fit of too low a degree. Parameters.md tells how to use them. Default
+   * off: points are then fitted once more, one by one, which takes some 15 times as long.
+   * The other arrays are the same either way.
+   */
+  vtkSetMacro(StandardErrors, bool);
+  vtkGetMacro(StandardErrors, bool);
+  vtkBooleanMacro(StandardErrors, bool);
+  ///@}
+
 protected:
   vtkJetFitting() = default;
   ~vtkJetFitting() override = default;
@@ -161,6 +203,9 @@ protected:
   int MinimumNumberOfPoints = 18;
   int NumberOfRings = 3;
   double Radius = 0.0;
+  int SelectedNumberOfRings = 0;
+  int Weighting = UNIFORM;
+  bool StandardErrors = false;
 
 private:
   vtkJetFitting(const vtkJetFitting&) = delete;

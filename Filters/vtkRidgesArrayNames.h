@@ -23,6 +23,12 @@ constexpr const char* P2 = "P2";
 constexpr const char* FitStatus = "FitStatus";
 constexpr const char* FitConditionNumber = "FitConditionNumber";
 constexpr const char* FitResidual = "FitResidual";
+constexpr const char* FitScale = "FitScale";
+constexpr const char* MaximumCurvatureError = "MaximumCurvatureError";
+constexpr const char* MinimumCurvatureError = "MinimumCurvatureError";
+constexpr const char* ThirdOrderError = "ThirdOrderError";
+constexpr const char* P1Error = "P1Error";
+constexpr const char* P2Error = "P2Error";
 ///@}
 
 /// @name Mesh, cell data, of vtkUmbilicDetection

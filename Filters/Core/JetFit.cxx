@@ -113,7 +113,8 @@ JetFit JetFitter::Fit(const Eigen::Ref<const Eigen::Matrix3Xd>& offsets, int deg
     for (int j = 0; j <= d; ++j)
     {
       const int i = HeightJet::Index(d - j, j);
-      fit.jet.derivatives[i] = solution[i] * HeightJet::Factorial(d - j) * HeightJet::Factorial(j) * scale;
+      fit.jet.derivatives[i] =
+        solution[i] * HeightJet::Factorial(d - j) * HeightJet::Factorial(j) * scale;
     }
   }
   fit.degree = degree;

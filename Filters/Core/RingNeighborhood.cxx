@@ -104,8 +104,8 @@ Span<Id> RingNeighborhood::Gather(Id vertex, const NeighborhoodRule& rule)
       }
       break;
     case NeighborhoodRule::Kind::RingsAndPointCount:
-      while ((this->NumberOfRings_ < rule.numberOfRings ||
-               this->Count_ < rule.minimumNumberOfPoints) &&
+      while (
+        (this->NumberOfRings_ < rule.numberOfRings || this->Count_ < rule.minimumNumberOfPoints) &&
         this->AddRing(any))
       {
         ++this->NumberOfRings_;

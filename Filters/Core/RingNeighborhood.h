@@ -12,10 +12,10 @@ struct NeighborhoodRule
 {
   enum class Kind
   {
-    PointCount, ///< Whole rings until there are at least `minimumNumberOfPoints` points.
-    Rings,      ///< Exactly `numberOfRings` rings.
+    PointCount,         ///< Whole rings until there are at least `minimumNumberOfPoints` points.
+    Rings,              ///< Exactly `numberOfRings` rings.
     RingsAndPointCount, ///< Whole rings until there are at least that many rings and points.
-    Radius      ///< The points connected to the vertex inside the ball of that `radius`.
+    Radius              ///< The points connected to the vertex inside the ball of that `radius`.
   };
   Kind kind = Kind::PointCount;
   int minimumNumberOfPoints = 18;

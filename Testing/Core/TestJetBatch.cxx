@@ -321,3 +321,46 @@ TEST(JetBatch, LeavesWhatItCannotDoToTheSolverForSinglePoints)
   EXPECT_FALSE(filler.Add(mesh, 0, { few.data(), few.data() + few.size() }));
   EXPECT_TRUE(filler.IsEmpty());
 }
+
+//------------------------------------------------------------------------------
+TEST(JetBatch, WeightedFitsAgreeWithTheSolverForSinglePoints)
+{
+  const MeshedSurface surface(AddNormalNoise(EllipsoidMesh(12, 1.4, 1.0, 0.6), 1e-3, 5));
+  const TriangleMesh& mesh = surface.Triangles();
+  const OrderedRings rings = RingsOf(mesh);
+  RingNeighborhood neighborhood(mesh, rings);
+  NeighborhoodRule rule;
+  rule.minimumNumberOfPoints = 30;
+  JetFitter fitter;
+  for (const JetBatchKernel& kernel : JetBatchKernels())
+  {
+    JetBatchFiller filler(4, kernel.lanes, Weighting::Gaussian);
+    for (Id p = 0; p < mesh.NumberOfPoints(); ++p)
+    {
+      ASSERT_TRUE(filler.Add(mesh, p, neighborhood.Gather(p, rule)));
+      if (!filler.IsFull() && p + 1 < mesh.NumberOfPoints())
+      {
+        continue;
+      }
+      kernel.fit(filler.Complete());
+      for (int lane = 0; lane < filler.Size(); ++lane)
+      {
+        const Id vertex = filler.Vertex(lane);
+        const JetFit fit = fitter.Fit(OffsetsAround(mesh, vertex, neighborhood, rule), 4,
+          mesh.PointNormal(vertex), Weighting::Gaussian);
+        const MongeForm expected = MongeFormOfHeightJet(fit.jet, fit.frame);
+        MongeForm form;
+        double conditionNumber = 0.0;
+        double residual = 0.0;
+        ASSERT_TRUE(filler.Result(lane, form, conditionNumber, residual));
+        // Round-off, magnified by condition numbers of up to some hundreds.
+        const double k = std::abs(expected.k2);
+        ASSERT_NEAR(form.k1, expected.k1, 1e-10 * k);
+        ASSERT_NEAR(form.k2, expected.k2, 1e-10 * k);
+        ASSERT_NEAR(residual, fit.residual, 1e-13);
+        ASSERT_NEAR(filler.Radius(lane), fit.radius, 1e-15);
+      }
+      filler.Clear();
+    }
+  }
+}

@@ -296,3 +296,43 @@ TEST(JetFit, FromTheOtherSideIsTheFlippedForm)
     EXPECT_LT(LargestDifference(below, Flipped(above)) * certainty, FitRoundOff);
   }
 }
+
+//------------------------------------------------------------------------------
+TEST(JetFit, WithWeightsRecoversPolynomialsToo)
+{
+  std::mt19937_64 generator(28);
+  JetFitter fitter;
+  for (int trial = 0; trial < 50; ++trial)
+  {
+    const GraphSample sample = RandomGraph(4, 40, generator);
+    const ExactMonge exact = GraphSurface(sample.jet).Monge(Vector3d::Zero());
+    const JetFit fit = fitter.Fit(sample.offsets, 4, Vector3d::UnitZ(), Weighting::Gaussian);
+    EXPECT_EQ(fitter.LastRootWeights().size(), 40);
+    // Exp(-2) for the farthest point, 1 for the vertex.
+    EXPECT_NEAR(fitter.LastRootWeights().minCoeff(), std::exp(-1.0), 1e-15);
+    EXPECT_EQ(fitter.LastRootWeights()[0], 1.0);
+    const double certainty = std::min(1.0, exact.k1 - exact.k2);
+    EXPECT_LT(LargestDifference(FormOf(fit), ToMongeForm(exact)) * certainty, 10.0 * FitRoundOff);
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST(JetFit, WithWeightsMinimisesTheWeightedSquares)
+{
+  // The height x^4 over a line of points in which y is free: in degree 2 the weights decide.
+  std::mt19937_64 generator(29);
+  Matrix3Xd offsets = Matrix3Xd::Zero(3, 60);
+  for (int i = 1; i < 60; ++i)
+  {
+    offsets.col(i).head<2>() = InBall(generator).head<2>();
+    offsets(2, i) = 0.1 * std::pow(offsets(0, i), 4);
+  }
+  JetFitter fitter;
+  const JetFit uniform = fitter.Fit(offsets, 2, Vector3d::UnitZ());
+  const JetFit gaussian = fitter.Fit(offsets, 2, Vector3d::UnitZ(), Weighting::Gaussian);
+  EXPECT_LT(gaussian.residual, uniform.residual);
+  const double atUniform = FormOf(uniform).k1;
+  const double atGaussian = FormOf(gaussian).k1;
+  EXPECT_LT(atGaussian, atUniform); // Nearer to 0, the curvature at the vertex itself.
+  EXPECT_GT(atGaussian, 0.0);
+}

@@ -254,3 +254,25 @@ TEST(RingNeighborhood, HasOneOrderForAnyNumbering)
     }
   }
 }
+
+//------------------------------------------------------------------------------
+TEST(RingNeighborhood, ByRingsAndPointCountHasBoth)
+{
+  const MeshedSurface surface(Icosphere(10));
+  const TriangleMesh& mesh = surface.Triangles();
+  const OrderedRings rings = RingsOf(mesh);
+  RingNeighborhood neighborhood(mesh, rings);
+  RingNeighborhood other(mesh, rings);
+  NeighborhoodRule rule;
+  rule.kind = Kind::RingsAndPointCount;
+  for (Id p = 0; p < mesh.NumberOfPoints(); ++p)
+  {
+    // Two rings have 16 points around the twelve points with five neighbours, else 17 to 19.
+    rule.numberOfRings = 2;
+    rule.minimumNumberOfPoints = 3;
+    EXPECT_EQ(neighborhood.Gather(p, rule).size(), other.Gather(p, ByRings(2)).size());
+    rule.minimumNumberOfPoints = 30;
+    EXPECT_EQ(neighborhood.Gather(p, rule).size(), other.Gather(p, ByCount(30)).size());
+    EXPECT_EQ(neighborhood.NumberOfRings(), 3);
+  }
+}

@@ -94,9 +94,9 @@ TEST(JetFitting, PutsOutTheArraysOfTheContract)
   const vtkIdType n = mesh->GetNumberOfPoints();
   const auto fitted = Fit(mesh);
   vtkPointData* data = fitted->GetPointData();
-  EXPECT_EQ(data->GetNumberOfArrays(), 12);
+  EXPECT_EQ(data->GetNumberOfArrays(), 13);
   for (const char* name : { names::MaximumCurvature, names::MinimumCurvature, names::P1, names::P2,
-         names::FitConditionNumber, names::FitResidual })
+         names::FitConditionNumber, names::FitResidual, names::FitScale })
   {
     ExpectArray(data, name, VTK_DOUBLE, 1, n);
   }
@@ -233,7 +233,7 @@ TEST(JetFitting, SettersClamp)
   jets->SetMongeOrder(-1);
   EXPECT_EQ(jets->GetMongeOrder(), 1);
   jets->SetNeighborhood(7);
-  EXPECT_EQ(jets->GetNeighborhood(), vtkJetFitting::BY_RADIUS);
+  EXPECT_EQ(jets->GetNeighborhood(), vtkJetFitting::AUTOMATIC);
   jets->SetNeighborhood(-7);
   EXPECT_EQ(jets->GetNeighborhood(), vtkJetFitting::BY_POINT_COUNT);
   jets->SetMinimumNumberOfPoints(0);

@@ -71,10 +71,17 @@ class TestProperties(unittest.TestCase):
         self.assertEqual(jets.GetNeighborhoodAsString(), "Rings")
         jets.SetNeighborhoodToRadius()
         self.assertEqual(jets.GetNeighborhood(), vtkJetFitting.BY_RADIUS)
+        jets.SetNeighborhood(vtkJetFitting.AUTOMATIC)
+        self.assertEqual(jets.GetNeighborhoodAsString(), "Automatic")
+        jets.SetWeighting(vtkJetFitting.GAUSSIAN)
+        self.assertEqual(jets.GetWeightingAsString(), "Gaussian")
         self.assertEqual(vtkJetFitting.FIT_INVALID, 8)
         self.assertEqual(vtkRidgeExtraction.MINIMUM_HYPERBOLIC, 4)
 
     def test_booleans(self):
+        jets = vtkJetFitting()
+        jets.StandardErrorsOn()
+        self.assertIs(jets.GetStandardErrors(), True)
         extraction = vtkRidgeExtraction()
         extraction.SetCrestOnly(True)
         self.assertIs(extraction.GetCrestOnly(), True)
@@ -136,6 +143,19 @@ class TestEllipsoid(unittest.TestCase):
         self.assertEqual(adapted.FieldData["UmbilicIndexSum"][0], 2.0)
         self.assertEqual(adapted.FieldData["EulerCharacteristic"][0], 2)
         self.assertEqual(set(adapted.CellData["UmbilicPatch"]), {-1, 0, 1, 2, 3})
+
+    def test_automatic_scale_and_standard_errors(self):
+        source = vtkRidgeExampleSource()
+        source.SetSurfaceToEllipsoid()
+        source.SetFrequency(16)
+        jets = vtkJetFitting()
+        jets.SetInputConnection(source.GetOutputPort())
+        jets.SetNeighborhoodToAutomatic()
+        jets.StandardErrorsOn()
+        jets.Update()
+        self.assertEqual(jets.GetSelectedNumberOfRings(), 2)  # without noise, the least
+        self.assertEqual(point_array(jets.GetOutput(), "ThirdOrderError").shape, (2562, 4))
+        self.assertGreater(point_array(jets.GetOutput(), "FitScale").min(), 0.0)
 
 
 class TestBlend(unittest.TestCase):

@@ -81,9 +81,10 @@ void AddJetFitting(CLI::App& app, vtkJetFitting* filter)
   group.Choice(
     "--neighborhood",
     { { "point-count", vtkJetFitting::BY_POINT_COUNT }, { "rings", vtkJetFitting::BY_RINGS },
-      { "radius", vtkJetFitting::BY_RADIUS } },
+      { "radius", vtkJetFitting::BY_RADIUS }, { "automatic", vtkJetFitting::AUTOMATIC } },
     filter->GetNeighborhood(), [=](int value) { filter->SetNeighborhood(value); },
-    "what bounds the neighbourhood of a point");
+    "what bounds the neighbourhood of a point; automatic: the rings, 2 to 8, with the least "
+    "estimated error, for noisy meshes");
   group.Number<int>(
     "--minimum-number-of-points", "N", filter->GetMinimumNumberOfPoints(),
     { filter->GetMinimumNumberOfPointsMinValue(), filter->GetMinimumNumberOfPointsMaxValue() },
@@ -97,6 +98,14 @@ void AddJetFitting(CLI::App& app, vtkJetFitting* filter)
     "--radius", "LENGTH", filter->GetRadius(), { 0.0, AnyLength },
     [=](double value) { filter->SetRadius(value); },
     "with radius: that of the neighbourhood, in units of the mesh");
+  group.Choice(
+    "--weighting",
+    { { "uniform", vtkJetFitting::UNIFORM }, { "gaussian", vtkJetFitting::GAUSSIAN } },
+    filter->GetWeighting(), [=](int value) { filter->SetWeighting(value); },
+    "how much the points of a neighbourhood count; gaussian: less with their distance");
+  group.Flag(
+    "--standard-errors", [=](bool on) { filter->SetStandardErrors(on); },
+    "put standard errors of what is fitted into the mesh written by --write-mesh");
 }
 
 void AddUmbilics(CLI::App& app, vtkUmbilicDetection* filter)

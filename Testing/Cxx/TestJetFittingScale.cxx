@@ -1,0 +1,310 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Automatic scale, weights and standard errors of vtkJetFitting.
+
+#include "FilterTestTools.h"
+#include "MessageRecorder.h"
+
+#include "vtkCallbackCommand.h"
+#include "vtkDataArray.h"
+#include "vtkJetFitting.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkRidgesArrayNames.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+using namespace ridges::testing;
+namespace names = vtkRidgesArrayNames;
+
+namespace
+{
+
+const char* const ErrorNames[] = { names::MaximumCurvatureError, names::MinimumCurvatureError,
+  names::ThirdOrderError, names::P1Error, names::P2Error };
+
+vtkSmartPointer<vtkPolyData> Fit(vtkJetFitting* jets, vtkPolyData* mesh)
+{
+  jets->SetInputData(mesh);
+  jets->Update();
+  const auto fitted = vtkSmartPointer<vtkPolyData>::New();
+  fitted->ShallowCopy(jets->GetOutput());
+  return fitted;
+}
+
+/// 4,002 points: as some 2000 of them are tried, the sample is a part of them.
+Mesh NoisyEllipsoid(double noiseInEdges)
+{
+  const Mesh mesh = EllipsoidMesh(20, 1.4, 1.0, 0.6);
+  return AddNormalNoise(mesh, noiseInEdges * MeanEdgeLength(mesh), 11);
+}
+
+} // namespace
+
+TEST(JetFittingScale, ChoosesMoreRingsTheMoreNoiseThereIs)
+{
+  vtkNew<vtkJetFitting> jets;
+  jets->SetNeighborhoodToAutomatic();
+  int rings = 2;
+  for (const double noise : { 0.0, 1e-4, 1e-3, 0.05 })
+  {
+    const auto fitted = Fit(jets, ToPolyData(NoisyEllipsoid(noise)));
+    EXPECT_GE(jets->GetSelectedNumberOfRings(), rings);
+    EXPECT_EQ(noise == 0.0, jets->GetSelectedNumberOfRings() == 2) << noise;
+    rings = jets->GetSelectedNumberOfRings();
+    ExpectAllFinite(fitted);
+  }
+  EXPECT_EQ(rings, 8);
+  jets->SetNeighborhoodToPointCount();
+  jets->Update();
+  EXPECT_EQ(jets->GetSelectedNumberOfRings(), 0);
+}
+
+TEST(JetFittingScale, AutomaticFitsThatManyRings)
+{
+  const auto mesh = ToPolyData(NoisyEllipsoid(0.002));
+  vtkNew<vtkJetFitting> jets;
+  jets->SetNeighborhoodToAutomatic();
+  const auto automatic = Fit(jets, mesh);
+  EXPECT_GT(jets->GetSelectedNumberOfRings(), 2);
+  jets->SetNeighborhoodToRings();
+  jets->SetNumberOfRings(jets->GetSelectedNumberOfRings());
+  const auto expected = Fit(jets, mesh);
+  EXPECT_EQ(BytesOf(automatic), BytesOf(expected));
+}
+
+TEST(JetFittingScale, AutomaticNeverFallsShortOfPoints)
+{
+  // Where an octahedron is refined, six points have four neighbours, and two rings 13 points.
+  Mesh mesh;
+  for (const double sign : { 1.0, -1.0 })
+  {
+    for (int i = 0; i < 3; ++i)
+    {
+      mesh.AddPoint(sign * Eigen::Vector3d::Unit(i));
+    }
+  }
+  for (const auto& t : { std::array<int, 3>{ 0, 1, 2 }, { 1, 3, 2 }, { 3, 4, 2 }, { 4, 0, 2 },
+         { 1, 0, 5 }, { 3, 1, 5 }, { 4, 3, 5 }, { 0, 4, 5 } })
+  {
+    mesh.AddTriangle(t[0], t[1], t[2]);
+  }
+  vtkNew<vtkJetFitting> jets;
+  MessageRecorder recorder(jets);
+  jets->SetNeighborhoodToAutomatic();
+  const auto small = Fit(jets, ToPolyData(mesh));
+  EXPECT_EQ(jets->GetSelectedNumberOfRings(), 2);
+  EXPECT_EQ(recorder.NumberOfErrors(), 0U);
+  ExpectAllFinite(small);
+
+  const auto fitted = Fit(jets, EllipsoidData(8));
+  for (vtkIdType p = 0; p < fitted->GetNumberOfPoints(); ++p)
+  {
+    EXPECT_EQ(Value(fitted->GetPointData(), names::FitStatus, p), 0.0);
+  }
+}
+
+TEST(JetFittingScale, AutomaticDoesNotDependOnTheNumbering)
+{
+  const Mesh mesh = NoisyEllipsoid(0.001);
+  std::vector<std::int32_t> newToOld;
+  const Mesh permuted = Permute(mesh, 3, &newToOld);
+  vtkNew<vtkJetFitting> jets;
+  jets->SetNeighborhoodToAutomatic();
+  jets->StandardErrorsOn();
+  jets->SetWeightingToGaussian();
+  const auto expected = Fit(jets, ToPolyData(mesh));
+  const int rings = jets->GetSelectedNumberOfRings();
+  const auto actual = Fit(jets, ToPolyData(permuted));
+  EXPECT_EQ(jets->GetSelectedNumberOfRings(), rings);
+  for (std::size_t p = 0; p < newToOld.size(); ++p)
+  {
+    const auto id = static_cast<vtkIdType>(p);
+    for (const char* name : { names::P1, names::P1Error, names::FitScale })
+    {
+      ASSERT_EQ(Value(actual->GetPointData(), name, id),
+        Value(expected->GetPointData(), name, newToOld[p]));
+    }
+  }
+}
+
+TEST(JetFittingScale, AutomaticTakesEmptyAndTinyInput)
+{
+  vtkNew<vtkJetFitting> jets;
+  MessageRecorder recorder(jets);
+  jets->SetNeighborhoodToAutomatic();
+  jets->StandardErrorsOn();
+  EXPECT_TRUE(IsEmpty(Fit(jets, vtkSmartPointer<vtkPolyData>::New())));
+  EXPECT_EQ(jets->GetSelectedNumberOfRings(), 0);
+  const auto triangle =
+    Fit(jets, MakePolyData({ { 0, 0, 0 }, { 1, 0, 0 }, { 0, 1, 0 } }, { { 0, 1, 2 } }));
+  EXPECT_EQ(recorder.NumberOfErrors(), 0U);
+  ExpectAllFinite(triangle);
+  EXPECT_EQ(Value(triangle->GetPointData(), names::FitScale, 0), 0.0);
+  for (const char* name : ErrorNames)
+  {
+    EXPECT_EQ(Value(triangle->GetPointData(), name, 0), -1.0) << name;
+  }
+}
+
+TEST(JetFittingScale, AutomaticCanBeAborted)
+{
+  vtkNew<vtkJetFitting> jets;
+  jets->SetNeighborhoodToAutomatic();
+  vtkNew<vtkCallbackCommand> abort;
+  abort->SetCallback(
+    [](vtkObject* caller, unsigned long, void*, void*)
+    {
+      auto* algorithm = vtkAlgorithm::SafeDownCast(caller);
+      if (algorithm->GetProgress() >= 0.3) // The trials are done.
+      {
+        algorithm->AbortExecuteOn();
+      }
+    });
+  jets->AddObserver(vtkCommand::ProgressEvent, abort);
+  EXPECT_TRUE(IsEmpty(Fit(jets, EllipsoidData(16))));
+}
+
+TEST(JetFittingScale, FitScaleIsTheRadiusOfTheNeighborhood)
+{
+  const auto mesh = EllipsoidData(16);
+  vtkNew<vtkJetFitting> jets;
+  jets->SetNeighborhoodToRadius();
+  jets->SetRadius(0.3);
+  const auto fitted = Fit(jets, mesh);
+  ExpectArray(fitted->GetPointData(), names::FitScale, VTK_DOUBLE, 1, mesh->GetNumberOfPoints());
+  for (vtkIdType p = 0; p < mesh->GetNumberOfPoints(); ++p)
+  {
+    const Eigen::Vector3d center = PointAt(mesh, p);
+    double farthest = 0.0;
+    for (vtkIdType q = 0; q < mesh->GetNumberOfPoints(); ++q)
+    {
+      const double distance = (PointAt(mesh, q) - center).norm();
+      farthest = distance <= 0.3 ? std::max(farthest, distance) : farthest;
+    }
+    EXPECT_NEAR(Value(fitted->GetPointData(), names::FitScale, p), farthest, 1e-14);
+  }
+}
+
+TEST(JetFittingScale, ErrorsLeaveTheOtherArraysAsTheyAre)
+{
+  const auto mesh = ToPolyData(NoisyEllipsoid(0.01));
+  vtkNew<vtkJetFitting> jets;
+  const auto without = Fit(jets, mesh);
+  jets->StandardErrorsOn();
+  const auto with = Fit(jets, mesh);
+  const vtkIdType count = mesh->GetNumberOfPoints();
+  for (const char* name : ErrorNames)
+  {
+    EXPECT_FALSE(without->GetPointData()->HasArray(name)) << name;
+    ExpectArray(
+      with->GetPointData(), name, VTK_DOUBLE, name == names::ThirdOrderError ? 4 : 1, count);
+    for (vtkIdType p = 0; p < count; ++p)
+    {
+      ASSERT_GT(Value(with->GetPointData(), name, p), 0.0) << name;
+    }
+    with->GetPointData()->RemoveArray(name);
+  }
+  EXPECT_EQ(BytesOf(with), BytesOf(without));
+}
+
+// Half of a normal distribution is within 0.674 of its standard deviation.
+TEST(JetFittingScale, ErrorsTellHowFarCurvaturesAreOff)
+{
+  const Mesh clean = EllipsoidMesh(20, 1.4, 1.0, 0.6);
+  vtkNew<vtkJetFitting> jets;
+  jets->SetNeighborhoodToRings();
+  jets->SetNumberOfRings(3);
+  const auto expected = Fit(jets, ToPolyData(clean));
+  jets->StandardErrorsOn();
+  for (const bool weighted : { false, true })
+  {
+    jets->SetWeighting(weighted ? vtkJetFitting::GAUSSIAN : vtkJetFitting::UNIFORM);
+    const auto fitted = Fit(jets, ToPolyData(NoisyEllipsoid(0.01)));
+    vtkIdType within = 0;
+    for (vtkIdType p = 0; p < fitted->GetNumberOfPoints(); ++p)
+    {
+      const double off = std::abs(Value(fitted->GetPointData(), names::MaximumCurvature, p) -
+        Value(expected->GetPointData(), names::MaximumCurvature, p));
+      const double error = Value(fitted->GetPointData(), names::MaximumCurvatureError, p);
+      within += off < 0.674 * error ? 1 : 0;
+    }
+    const double part = static_cast<double>(within) / fitted->GetNumberOfPoints();
+    EXPECT_GT(part, 0.44);
+    EXPECT_LT(part, 0.54);
+  }
+}
+
+TEST(JetFittingScale, MongeOrderDecidesWhichErrorsThereAre)
+{
+  vtkNew<vtkJetFitting> jets;
+  jets->StandardErrorsOn();
+  for (int order = 4; order >= 1; --order)
+  {
+    // Fed with what the fit of higher order gave: nothing of that may stay.
+    jets->SetMongeOrder(order);
+    const auto fitted = Fit(jets, order == 4 ? EllipsoidData(6) : Fit(jets, EllipsoidData(6)));
+    vtkPointData* data = fitted->GetPointData();
+    EXPECT_EQ(data->HasArray(names::MaximumCurvatureError) != 0, order >= 2);
+    EXPECT_EQ(data->HasArray(names::MinimumCurvatureError) != 0, order >= 2);
+    EXPECT_EQ(data->HasArray(names::ThirdOrderError) != 0, order >= 3);
+    EXPECT_EQ(data->HasArray(names::P1Error) != 0, order >= 4);
+    EXPECT_EQ(data->HasArray(names::P2Error) != 0, order >= 4);
+  }
+  jets->SetMongeOrder(4);
+  const auto first = Fit(jets, EllipsoidData(6));
+  jets->StandardErrorsOff();
+  const auto second = Fit(jets, first);
+  for (const char* name : ErrorNames)
+  {
+    EXPECT_FALSE(second->GetPointData()->HasArray(name)) << name << " is stale";
+  }
+}
+
+TEST(JetFittingScale, WeightsBringFitsNearerToThePoint)
+{
+  const AnalyticSurface surface = MakeEllipsoid(1.4, 1.0, 0.6);
+  const auto mesh = EllipsoidData(16);
+  const auto meanError = [&](int weighting)
+  {
+    vtkNew<vtkJetFitting> jets;
+    jets->SetNeighborhoodToRings();
+    jets->SetNumberOfRings(4);
+    jets->SetWeighting(weighting);
+    const auto fitted = Fit(jets, mesh);
+    double sum = 0.0;
+    for (vtkIdType p = 0; p < mesh->GetNumberOfPoints(); ++p)
+    {
+      sum += std::abs(Value(fitted->GetPointData(), names::MaximumCurvature, p) -
+        surface.Monge(PointAt(mesh, p)).k1);
+    }
+    return sum;
+  };
+  EXPECT_LT(meanError(vtkJetFitting::GAUSSIAN), 0.8 * meanError(vtkJetFitting::UNIFORM));
+}
+
+TEST(JetFittingScale, PropertiesHaveTheirDefaultsAndAreClampedAndPrinted)
+{
+  vtkNew<vtkJetFitting> jets;
+  EXPECT_FALSE(jets->GetStandardErrors());
+  EXPECT_EQ(jets->GetWeighting(), vtkJetFitting::UNIFORM);
+  EXPECT_EQ(jets->GetSelectedNumberOfRings(), 0);
+  EXPECT_STREQ(jets->GetWeightingAsString(), "Uniform");
+  jets->SetWeighting(9);
+  EXPECT_EQ(jets->GetWeighting(), vtkJetFitting::GAUSSIAN);
+  jets->SetNeighborhood(9);
+  EXPECT_EQ(jets->GetNeighborhood(), vtkJetFitting::AUTOMATIC);
+  jets->StandardErrorsOn();
+  std::ostringstream text;
+  jets->Print(text);
+  for (const char* line : { "Neighborhood: Automatic", "SelectedNumberOfRings: 0",
+         "Weighting: Gaussian", "StandardErrors: On" })
+  {
+    EXPECT_NE(text.str().find(line), std::string::npos) << line;
+  }
+  jets->SetWeightingToUniform();
+  EXPECT_EQ(jets->GetWeighting(), vtkJetFitting::UNIFORM);
+}
