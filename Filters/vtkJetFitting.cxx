@@ -56,35 +56,35 @@ void RemoveUmbilics(vtkPolyData* mesh)
 
 struct BuildRings
 {
-  ridges::OrderedRings& Rings;
+  ridges::OrderedRings& rings;
 
   void operator()(vtkIdType begin, vtkIdType end)
   {
-    this->Rings.Build(static_cast<ridges::Id>(begin), static_cast<ridges::Id>(end));
+    this->rings.Build(static_cast<ridges::Id>(begin), static_cast<ridges::Id>(end));
   }
 };
 
 struct TryScales
 {
-  const ridges::TriangleMesh& Mesh;
-  const ridges::OrderedRings& Rings;
-  int Degree;
-  int MinimumNumberOfPoints;
-  const std::vector<ridges::Id>& Sample;
-  std::vector<ridges::ScaleTrial>& Trials;
-  vtkSMPThreadLocal<std::shared_ptr<ridges::ScaleProbe>> PerThread;
+  const ridges::TriangleMesh& mesh;
+  const ridges::OrderedRings& rings;
+  int degree;
+  int minimumNumberOfPoints;
+  const std::vector<ridges::Id>& sample;
+  std::vector<ridges::ScaleTrial>& trials;
+  vtkSMPThreadLocal<std::shared_ptr<ridges::ScaleProbe>> perThread;
 
   void operator()(vtkIdType begin, vtkIdType end)
   {
-    std::shared_ptr<ridges::ScaleProbe>& probe = this->PerThread.Local();
+    std::shared_ptr<ridges::ScaleProbe>& probe = this->perThread.Local();
     if (!probe)
     {
       probe = std::make_shared<ridges::ScaleProbe>(
-        this->Mesh, this->Rings, this->Degree, this->MinimumNumberOfPoints);
+        this->mesh, this->rings, this->degree, this->minimumNumberOfPoints);
     }
     for (vtkIdType i = begin; i < end; ++i)
     {
-      this->Trials[i] = probe->Try(this->Sample[i]);
+      this->trials[i] = probe->Try(this->sample[i]);
     }
   }
 };

@@ -55,12 +55,12 @@ void vtkRidgesFitPoints::operator()(vtkIdType begin, vtkIdType end)
 /// Into the batch with it if it fits there, else it is fitted at once.
 void vtkRidgesFitPoints::Take(ridges::Id p, Scratch& scratch)
 {
-  const auto points = scratch.Neighborhood.Gather(p, this->Wanted.rule);
-  if (!this->Kernel || !scratch.Batch.Add(this->Mesh, p, points))
+  const auto points = scratch.neighborhood.Gather(p, this->Wanted.rule);
+  if (!this->Kernel || !scratch.batch.Add(this->Mesh, p, points))
   {
     this->FitAlone(p, scratch);
   }
-  else if (scratch.Batch.IsFull())
+  else if (scratch.batch.IsFull())
   {
     this->FitBatch(scratch);
   }
@@ -68,46 +68,46 @@ void vtkRidgesFitPoints::Take(ridges::Id p, Scratch& scratch)
 
 void vtkRidgesFitPoints::FitBatch(Scratch& scratch)
 {
-  if (scratch.Batch.IsEmpty())
+  if (scratch.batch.IsEmpty())
   {
     return;
   }
-  this->Kernel->fit(scratch.Batch.Complete());
-  for (int lane = 0; lane < scratch.Batch.Size(); ++lane)
+  this->Kernel->fit(scratch.batch.Complete());
+  for (int lane = 0; lane < scratch.batch.Size(); ++lane)
   {
-    const ridges::Id p = scratch.Batch.Vertex(lane);
+    const ridges::Id p = scratch.batch.Vertex(lane);
     ridges::MongeForm form;
     vtkRidgesMongeOutput::Quality quality;
-    const bool good = scratch.Batch.Result(lane, form, quality.conditionNumber, quality.residual);
+    const bool good = scratch.batch.Result(lane, form, quality.conditionNumber, quality.residual);
     if (!good || !(quality.conditionNumber <= GrowAbove))
     {
       this->FitAlone(p, scratch);
       continue;
     }
-    quality.radius = scratch.Batch.Radius(lane);
+    quality.radius = scratch.batch.Radius(lane);
     this->Store(p, form, quality);
     if (this->Wanted.standardErrors)
     {
       // Batches do not keep what errors are made of. All other values stay theirs.
       const ridges::JetFit fit =
-        this->Fit(p, scratch.Neighborhood.Gather(p, this->Wanted.rule), scratch);
-      this->Output.StoreErrors(p, ridges::StandardErrors(scratch.Fitter, fit));
+        this->Fit(p, scratch.neighborhood.Gather(p, this->Wanted.rule), scratch);
+      this->Output.StoreErrors(p, ridges::StandardErrors(scratch.fitter, fit));
     }
   }
-  scratch.Batch.Clear();
+  scratch.batch.Clear();
 }
 
 ridges::JetFit vtkRidgesFitPoints::Fit(
   ridges::Id p, ridges::Span<ridges::Id> points, Scratch& scratch) const
 {
   const Eigen::Vector3d origin = this->Mesh.Point(p);
-  scratch.Offsets.resize(3, points.size());
+  scratch.offsets.resize(3, points.size());
   for (ridges::Id i = 0; i < points.size(); ++i)
   {
-    scratch.Offsets.col(i) = this->Mesh.Point(points[i]) - origin;
+    scratch.offsets.col(i) = this->Mesh.Point(points[i]) - origin;
   }
-  return scratch.Fitter.Fit(
-    scratch.Offsets, this->Wanted.degree, this->Mesh.PointNormal(p), this->Wanted.weighting);
+  return scratch.fitter.Fit(
+    scratch.offsets, this->Wanted.degree, this->Mesh.PointNormal(p), this->Wanted.weighting);
 }
 
 void vtkRidgesFitPoints::FitAlone(ridges::Id p, Scratch& scratch)
@@ -117,11 +117,11 @@ void vtkRidgesFitPoints::FitAlone(ridges::Id p, Scratch& scratch)
   using Kind = ridges::NeighborhoodRule::Kind;
   constexpr int mostRingsAdded = 4;
   const ridges::NeighborhoodRule& rule = this->Wanted.rule;
-  ridges::JetFit fit = this->Fit(p, scratch.Neighborhood.Gather(p, rule), scratch);
+  ridges::JetFit fit = this->Fit(p, scratch.neighborhood.Gather(p, rule), scratch);
   const bool mayGrow = rule.kind == Kind::PointCount || rule.kind == Kind::RingsAndPointCount;
   for (int added = 0; mayGrow && added < mostRingsAdded && fit.conditionNumber > GrowAbove; ++added)
   {
-    fit = this->Fit(p, scratch.Neighborhood.Grow(), scratch);
+    fit = this->Fit(p, scratch.neighborhood.Grow(), scratch);
   }
 
   // Less than a quadric says nothing of curvature, unless a plane was all that was asked for.
@@ -139,7 +139,7 @@ void vtkRidgesFitPoints::FitAlone(ridges::Id p, Scratch& scratch)
   this->Store(p, form, quality);
   if (this->Wanted.standardErrors)
   {
-    this->Output.StoreErrors(p, ridges::StandardErrors(scratch.Fitter, fit));
+    this->Output.StoreErrors(p, ridges::StandardErrors(scratch.fitter, fit));
   }
 }
 

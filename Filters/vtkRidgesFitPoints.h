@@ -37,14 +37,14 @@ private:
   struct Scratch
   {
     explicit Scratch(const vtkRidgesFitPoints& fit)
-      : Neighborhood(fit.Mesh, fit.Rings)
-      , Batch(fit.Wanted.degree, fit.Kernel ? fit.Kernel->lanes : 1, fit.Wanted.weighting)
+      : neighborhood(fit.Mesh, fit.Rings)
+      , batch(fit.Wanted.degree, fit.Kernel ? fit.Kernel->lanes : 1, fit.Wanted.weighting)
     {
     }
-    ridges::RingNeighborhood Neighborhood;
-    ridges::JetFitter Fitter;
-    ridges::JetBatchFiller Batch;
-    Eigen::Matrix3Xd Offsets;
+    ridges::RingNeighborhood neighborhood;
+    ridges::JetFitter fitter;
+    ridges::JetBatchFiller batch;
+    Eigen::Matrix3Xd offsets;
   };
 
   void Take(ridges::Id p, Scratch& scratch);
