@@ -8,8 +8,7 @@
 #include "Core/RidgeMeasures.h"
 #include "vtkRidgesArrayNames.h"
 #include "vtkRidgesBatches.h"
-#include "vtkRidgesMesh.h"
-#include "vtkRidgesMongeArrays.h"
+#include "vtkRidgesMongeInput.h"
 #include "vtkRidgesPolylines.h"
 
 #include "vtkCellData.h"
@@ -152,29 +151,14 @@ int vtkRidgeExtraction::RequestData(
   vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
 
-  vtkRidgesMongeArrays arrays;
-  if (input->GetNumberOfPoints() > 0)
+  vtkRidgesMongeInput monge;
+  if (!monge.Fetch(this, input, this->TypeRule == FOURTH_ORDER))
   {
-    const std::string faults = arrays.Fetch(input, this->TypeRule == FOURTH_ORDER);
-    if (!faults.empty())
-    {
-      vtkErrorMacro("The mesh lacks point arrays that vtkJetFitting makes: " << faults << ".");
-      return 0;
-    }
-  }
-  vtkRidgesMesh mesh;
-  if (!mesh.Build(input, arrays.GetUsable()))
-  {
-    vtkErrorMacro("The mesh has more points or triangles than 32-bit numbering allows.");
     return 0;
   }
-  if (mesh.GetNumberOfTriangulatedCells() > 0)
-  {
-    vtkWarningMacro(<< mesh.GetNumberOfTriangulatedCells()
-                    << " polygons or strips were triangulated.");
-  }
+  const vtkRidgesMesh& mesh = monge.mesh;
   const ridges::TriangleMesh& triangles = mesh.GetTriangles();
-  const ridges::MongeField& field = arrays.GetField();
+  const ridges::MongeField& field = monge.arrays.GetField();
   this->UpdateProgress(0.1);
 
   const double modelSize = this->ModelSize > 0.0 ? this->ModelSize : EnclosingRadius(triangles);

@@ -4,8 +4,7 @@
 #include "Core/UmbilicDetection.h"
 #include "vtkRidgesArrayNames.h"
 #include "vtkRidgesBatches.h"
-#include "vtkRidgesMesh.h"
-#include "vtkRidgesMongeArrays.h"
+#include "vtkRidgesMongeInput.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -180,34 +179,19 @@ int vtkUmbilicDetection::RequestData(
     vtkErrorMacro("PatchSize is not a number: set one from 1 to 100.");
     return 0;
   }
-  vtkRidgesMongeArrays arrays;
-  if (input->GetNumberOfPoints() > 0)
+  vtkRidgesMongeInput monge;
+  if (!monge.Fetch(this, input, false))
   {
-    const std::string faults = arrays.Fetch(input, false);
-    if (!faults.empty())
-    {
-      vtkErrorMacro("The mesh lacks point arrays that vtkJetFitting makes: " << faults << ".");
-      return 0;
-    }
-  }
-  vtkRidgesMesh mesh;
-  if (!mesh.Build(input, arrays.GetUsable()))
-  {
-    vtkErrorMacro("The mesh has more points or triangles than 32-bit numbering allows.");
     return 0;
   }
-  if (mesh.GetNumberOfTriangulatedCells() > 0)
-  {
-    vtkWarningMacro(<< mesh.GetNumberOfTriangulatedCells()
-                    << " polygons or strips were triangulated.");
-  }
+  const vtkRidgesMesh& mesh = monge.mesh;
 
-  FindCandidates findCandidates(mesh.GetTriangles(), arrays.GetField(), this->PatchSize);
+  FindCandidates findCandidates(mesh.GetTriangles(), monge.arrays.GetField(), this->PatchSize);
   if (!vtkRidgesForBatches(this, mesh.GetTriangles().NumberOfTriangles(), 0.1, 0.9, findCandidates))
   {
     return 1;
   }
-  ridges::UmbilicDetector detector(mesh.GetTriangles(), arrays.GetField(), this->PatchSize);
+  ridges::UmbilicDetector detector(mesh.GetTriangles(), monge.arrays.GetField(), this->PatchSize);
   const std::vector<ridges::Umbilic> umbilics = detector.Select(findCandidates.Collect());
 
   MarkOnMesh(mesh, umbilics, markedMesh);

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkRidgesMongeInput.h"
+
+#include "vtkAlgorithm.h"
+#include "vtkPolyData.h"
+
+bool vtkRidgesMongeInput::Fetch(vtkAlgorithm* filter, vtkPolyData* input, bool needsFourthOrder)
+{
+  if (input->GetNumberOfPoints() > 0)
+  {
+    const std::string faults = this->arrays.Fetch(input, needsFourthOrder);
+    if (!faults.empty())
+    {
+      vtkErrorWithObjectMacro(
+        filter, "The mesh lacks point arrays that vtkJetFitting makes: " << faults << ".");
+      return false;
+    }
+  }
+  if (!this->mesh.Build(input, this->arrays.GetUsable()))
+  {
+    vtkErrorWithObjectMacro(
+      filter, "The mesh has more points or triangles than 32-bit numbering allows.");
+    return false;
+  }
+  if (this->mesh.GetNumberOfTriangulatedCells() > 0)
+  {
+    vtkWarningWithObjectMacro(filter,
+      << this->mesh.GetNumberOfTriangulatedCells() << " polygons or strips were triangulated.");
+  }
+  return true;
+}

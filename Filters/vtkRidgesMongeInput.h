@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef vtkRidgesMongeInput_h
+#define vtkRidgesMongeInput_h
+
+#include "vtkRidgesMesh.h"
+#include "vtkRidgesMongeArrays.h"
+
+class vtkAlgorithm;
+
+/**
+ * A mesh with Monge arrays, as the filters behind vtkJetFitting take it in, private to the module.
+ */
+struct vtkRidgesMongeInput
+{
+  /// False, after one error in the name of the filter, where the input cannot be used. Triangles
+  /// with unusable points are left out.
+  bool Fetch(vtkAlgorithm* filter, vtkPolyData* input, bool needsFourthOrder);
+
+  vtkRidgesMongeArrays arrays;
+  vtkRidgesMesh mesh;
+};
+
+#endif
