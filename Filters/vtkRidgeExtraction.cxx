@@ -2,26 +2,18 @@
 #include "vtkRidgeExtraction.h"
 
 #include "Core/EnclosingSphere.h"
-#include "Core/MarchingTriangles.h"
-#include "Core/RidgeAssembly.h"
-#include "Core/RidgeCrossings.h"
 #include "Core/RidgeMeasures.h"
-#include "vtkRidgesArrayNames.h"
-#include "vtkRidgesBatches.h"
+#include "Core/UmbilicForm.h"
 #include "vtkRidgesMongeInput.h"
 #include "vtkRidgesPolylines.h"
+#include "vtkRidgesSearch.h"
+#include "vtkRidgesUmbilicMarks.h"
 
-#include "vtkCellData.h"
-#include "vtkDataArray.h"
-#include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 
-#include <algorithm>
 #include <vector>
-
-namespace names = vtkRidgesArrayNames;
 
 vtkStandardNewMacro(vtkRidgeExtraction);
 
@@ -36,72 +28,6 @@ static_assert(
 
 namespace
 {
-
-struct FindCrossings
-{
-  ridges::RidgeCrossings& crossings;
-
-  void operator()(vtkIdType begin, vtkIdType end)
-  {
-    this->crossings.Find(static_cast<ridges::Id>(begin), static_cast<ridges::Id>(end));
-  }
-};
-
-struct PlaceCrossings
-{
-  ridges::RidgeCrossings& crossings;
-
-  void operator()(vtkIdType begin, vtkIdType end)
-  {
-    this->crossings.Place(static_cast<ridges::Id>(begin), static_cast<ridges::Id>(end));
-  }
-};
-
-/// Marches chunks of triangles, each into segments of its own: their order does not depend on the
-/// threads.
-class MarchTriangles
-{
-public:
-  MarchTriangles(const ridges::RidgeCrossings& crossings, ridges::TypeRule rule)
-    : Crossings(crossings)
-    , Rule(rule)
-    , Segments((crossings.Mesh().NumberOfTriangles() + ChunkSize - 1) / ChunkSize)
-  {
-  }
-
-  vtkIdType GetNumberOfChunks() const { return static_cast<vtkIdType>(this->Segments.size()); }
-
-  void operator()(vtkIdType begin, vtkIdType end)
-  {
-    for (vtkIdType chunk = begin; chunk < end; ++chunk)
-    {
-      const auto first = static_cast<ridges::Id>(chunk * ChunkSize);
-      const ridges::Id last =
-        std::min<ridges::Id>(first + ChunkSize, this->Crossings.Mesh().NumberOfTriangles());
-      for (ridges::Id t = first; t < last; ++t)
-      {
-        ridges::MarchTriangle(this->Crossings, this->Rule, t, this->Segments[chunk]);
-      }
-    }
-  }
-
-  std::vector<ridges::RidgeSegment> Collect() const
-  {
-    std::vector<ridges::RidgeSegment> all;
-    for (const auto& chunk : this->Segments)
-    {
-      all.insert(all.end(), chunk.begin(), chunk.end());
-    }
-    return all;
-  }
-
-private:
-  static constexpr ridges::Id ChunkSize = 8192;
-
-  const ridges::RidgeCrossings& Crossings;
-  ridges::TypeRule Rule;
-  std::vector<std::vector<ridges::RidgeSegment>> Segments;
-};
 
 /// Radius of the smallest sphere around all points that a triangle has.
 double EnclosingRadius(const ridges::TriangleMesh& mesh)
@@ -119,20 +45,14 @@ double EnclosingRadius(const ridges::TriangleMesh& mesh)
 }
 
 /// The umbilics marked on the mesh, or else those of all singular triangles.
-std::vector<Eigen::Vector3d> UmbilicPositions(
-  vtkPolyData* polyData, const ridges::TriangleMesh& mesh, const ridges::MongeField& field)
+std::vector<Eigen::Vector3d> UmbilicPositions(const vtkRidgesUmbilicMarks& umbilics,
+  const ridges::TriangleMesh& mesh, const ridges::MongeField& field)
 {
-  std::vector<Eigen::Vector3d> positions;
-  vtkDataArray* marked = polyData->GetFieldData()->GetArray(names::UmbilicPosition);
-  if (marked && marked->GetNumberOfComponents() == 3)
+  if (umbilics.AreThere())
   {
-    positions.resize(marked->GetNumberOfTuples());
-    for (vtkIdType i = 0; i < marked->GetNumberOfTuples(); ++i)
-    {
-      marked->GetTuple(i, positions[i].data());
-    }
-    return positions;
+    return umbilics.GetPositions();
   }
+  std::vector<Eigen::Vector3d> positions;
   for (ridges::Id t = 0; t < mesh.NumberOfTriangles(); ++t)
   {
     if (!ridges::IsRegular(mesh, field, t))
@@ -141,6 +61,16 @@ std::vector<Eigen::Vector3d> UmbilicPositions(
     }
   }
   return positions;
+}
+
+double MeanEdgeLength(const ridges::TriangleMesh& mesh)
+{
+  double sum = 0.0;
+  for (ridges::Id e = 0; e < mesh.NumberOfEdges(); ++e)
+  {
+    sum += (mesh.Point(mesh.EdgeAt(e).v0) - mesh.Point(mesh.EdgeAt(e).v1)).norm();
+  }
+  return mesh.NumberOfEdges() > 0 ? sum / mesh.NumberOfEdges() : 0.0;
 }
 
 } // namespace
@@ -162,13 +92,18 @@ int vtkRidgeExtraction::RequestData(
   this->UpdateProgress(0.1);
 
   const double modelSize = this->ModelSize > 0.0 ? this->ModelSize : EnclosingRadius(triangles);
+  const vtkRidgesUmbilicMarks umbilics(mesh);
   const ridges::UmbilicCutOff cutOff(
-    UmbilicPositions(mesh.GetPolyData(), triangles, field), this->UmbilicCutOff * modelSize);
-  const auto crossingRule =
-    this->CrossingRule == FORM ? ridges::CrossingRule::Form : ridges::CrossingRule::Linear;
-  const auto typeRule =
-    this->TypeRule == FOURTH_ORDER ? ridges::TypeRule::FourthOrder : ridges::TypeRule::ThirdOrder;
-  vtkRidgesPolylines lines(mesh, field, cutOff, modelSize);
+    UmbilicPositions(umbilics, triangles, field), this->UmbilicCutOff * modelSize);
+  vtkRidgesSearch search(mesh, field, umbilics);
+  search.SetCrossingRule(
+    this->CrossingRule == FORM ? ridges::CrossingRule::Form : ridges::CrossingRule::Linear);
+  search.SetTypeRule(
+    this->TypeRule == FOURTH_ORDER ? ridges::TypeRule::FourthOrder : ridges::TypeRule::ThirdOrder);
+  search.SetUsePatches(this->UmbilicJoining == PATCHES);
+  search.SetShortestRun(
+    this->TypeHysteresis > 0.0 ? this->TypeHysteresis * MeanEdgeLength(triangles) : 0.0);
+  vtkRidgesPolylines lines(mesh, umbilics, cutOff, modelSize);
   lines.SetCrestOnly(this->CrestOnly);
 
   for (const ridges::Color color : { ridges::Color::Blue, ridges::Color::Red })
@@ -178,28 +113,17 @@ int vtkRidgeExtraction::RequestData(
     {
       continue;
     }
-    const double from = blue ? 0.1 : 0.55;
-    ridges::RidgeCrossings crossings(triangles, field, color, crossingRule);
-    FindCrossings find{ crossings };
-    if (!vtkRidgesForBatches(this, triangles.NumberOfEdges(), from, from + 0.1, find))
+    std::vector<ridges::RidgeTrace> found;
+    if (!search.Find(this, color, blue ? 0.1 : 0.55, blue ? 0.55 : 1.0, found))
     {
       return 1;
     }
-    crossings.Number();
-    PlaceCrossings place{ crossings };
-    MarchTriangles march(crossings, typeRule);
-    if (!vtkRidgesForBatches(this, crossings.Size(), from + 0.1, from + 0.2, place) ||
-      !vtkRidgesForBatches(this, march.GetNumberOfChunks(), from + 0.2, from + 0.3, march, 64))
+    for (const ridges::RidgeTrace& ridge : found)
     {
-      return 1;
-    }
-    std::vector<ridges::RidgeSegment> segments = march.Collect();
-    for (ridges::Ridge& ridge : ridges::AssembleRidges(triangles, segments))
-    {
-      lines.AddRidge(ridge, segments, crossings);
+      lines.AddRidge(ridge, color);
     }
   }
-  lines.Store(output);
+  lines.Store(output, field.HasFourthOrder());
   return 1;
 }
 
@@ -213,6 +137,9 @@ void vtkRidgeExtraction::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "TypeRule: " << (this->TypeRule == FOURTH_ORDER ? "FourthOrder" : "ThirdOrder")
      << "\n";
   os << indent << "CrossingRule: " << (this->CrossingRule == FORM ? "Form" : "Linear") << "\n";
+  os << indent << "UmbilicJoining: " << (this->UmbilicJoining == PATCHES ? "Patches" : "Triangles")
+     << "\n";
+  os << indent << "TypeHysteresis: " << this->TypeHysteresis << "\n";
   os << indent << "ModelSize: " << this->ModelSize << "\n";
   os << indent << "UmbilicCutOff: " << this->UmbilicCutOff << "\n";
 }

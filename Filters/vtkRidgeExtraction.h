@@ -89,6 +89,12 @@ public:
     LINEAR = 1
   };
 
+  enum UmbilicJoinings
+  {
+    PATCHES = 0,
+    TRIANGLES = 1
+  };
+
   ///@{
   /**
    * Whether to extract ridges of the maximum curvature (blue and green). Default on.
@@ -146,6 +152,28 @@ public:
 
   ///@{
   /**
+   * How ridges are joined to umbilics: in the patches that vtkUmbilicDetection has marked (section
+   * 6.3), or at the centroids of all singular triangles, whatever patches there are (the plain
+   * algorithm of section 6.2). Default patches. Singular triangles outside all patches are joined
+   * to the zero of the traceless second fundamental form in either case, where there are patches.
+   */
+  vtkSetClampMacro(UmbilicJoining, int, PATCHES, TRIANGLES);
+  vtkGetMacro(UmbilicJoining, int);
+  void SetUmbilicJoiningToPatches() { this->SetUmbilicJoining(PATCHES); }
+  void SetUmbilicJoiningToTriangles() { this->SetUmbilicJoining(TRIANGLES); }
+  ///@}
+
+  ///@{
+  /**
+   * Runs of one type that are shorter than this many mean edge lengths, between two of another
+   * type, take on that type: noise in P makes them. 0 to 1000, default 0: none does.
+   */
+  vtkSetClampMacro(TypeHysteresis, double, 0.0, 1000.0);
+  vtkGetMacro(TypeHysteresis, double);
+  ///@}
+
+  ///@{
+  /**
    * The length by which sharpness is made free of units, 0 or more. Default 0: the radius of the
    * smallest enclosing sphere of the mesh.
    */
@@ -174,6 +202,8 @@ protected:
   bool CrestOnly = false;
   int TypeRule = FOURTH_ORDER;
   int CrossingRule = FORM;
+  int UmbilicJoining = PATCHES;
+  double TypeHysteresis = 0.0;
   double ModelSize = 0.0;
   double UmbilicCutOff = 0.01;
 

@@ -34,6 +34,8 @@ constexpr const char* P2Error = "P2Error";
 /// @name Mesh, cell data, of vtkUmbilicDetection
 ///@{
 constexpr const char* UmbilicPatch = "UmbilicPatch";
+constexpr const char* CancelledUmbilics = "CancelledUmbilics";
+constexpr const char* UmbilicZone = "UmbilicZone";
 ///@}
 
 /// @name Mesh, field data, of vtkUmbilicDetection
@@ -41,8 +43,11 @@ constexpr const char* UmbilicPatch = "UmbilicPatch";
 constexpr const char* UmbilicPosition = "UmbilicPosition";
 constexpr const char* UmbilicIndex = "UmbilicIndex";
 constexpr const char* UmbilicRidgeCount = "UmbilicRidgeCount";
+constexpr const char* UmbilicTriangle = "UmbilicTriangle";
 constexpr const char* UmbilicIndexSum = "UmbilicIndexSum";
 constexpr const char* EulerCharacteristic = "EulerCharacteristic";
+constexpr const char* NumberOfCancelledRegions = "NumberOfCancelledRegions";
+constexpr const char* NumberOfUmbilicZones = "NumberOfUmbilicZones";
 ///@}
 
 /// @name Umbilics, point data
@@ -52,6 +57,8 @@ constexpr const char* Index = "Index";
 constexpr const char* RidgeCount = "RidgeCount";
 constexpr const char* ThirdOrderIndex = "ThirdOrderIndex";
 constexpr const char* Triangle = "Triangle";
+constexpr const char* Pattern = "Pattern";
+constexpr const char* TouchesBorder = "TouchesBorder";
 ///@}
 
 /// @name Ridges, cell data

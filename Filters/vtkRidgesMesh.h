@@ -30,6 +30,9 @@ public:
   /// Numbers the edges, if Build was told not to.
   void BuildEdges();
 
+  /// Turns triangles around where their neighbours run through a common edge in the same sense.
+  void OrientConsistently() { this->Triangles.OrientConsistently(); }
+
   /// The input itself or, if it holds polygons or strips, its triangulation.
   vtkPolyData* GetPolyData() const { return this->PolyData; }
 

@@ -4,7 +4,8 @@
 #include "vtkAlgorithm.h"
 #include "vtkPolyData.h"
 
-bool vtkRidgesMongeInput::Fetch(vtkAlgorithm* filter, vtkPolyData* input, bool needsFourthOrder)
+bool vtkRidgesMongeInput::Fetch(
+  vtkAlgorithm* filter, vtkPolyData* input, bool needsFourthOrder, Unusable unusable)
 {
   if (input->GetNumberOfPoints() > 0)
   {
@@ -16,7 +17,8 @@ bool vtkRidgesMongeInput::Fetch(vtkAlgorithm* filter, vtkPolyData* input, bool n
       return false;
     }
   }
-  if (!this->mesh.Build(input, this->arrays.GetUsable()))
+  const std::vector<std::uint8_t> all;
+  if (!this->mesh.Build(input, unusable == Unusable::Kept ? all : this->arrays.GetUsable()))
   {
     vtkErrorWithObjectMacro(
       filter, "The mesh has more points or triangles than 32-bit numbering allows.");

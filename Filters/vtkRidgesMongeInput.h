@@ -12,9 +12,16 @@ class vtkAlgorithm;
  */
 struct vtkRidgesMongeInput
 {
-  /// False, after one error in the name of the filter, where the input cannot be used. Triangles
-  /// with unusable points are left out.
-  bool Fetch(vtkAlgorithm* filter, vtkPolyData* input, bool needsFourthOrder);
+  /// Whether triangles stay that have points without a fit, or without finite values.
+  enum class Unusable
+  {
+    LeftOut,
+    Kept
+  };
+
+  /// False, after one error in the name of the filter, where the input cannot be used.
+  bool Fetch(vtkAlgorithm* filter, vtkPolyData* input, bool needsFourthOrder,
+    Unusable unusable = Unusable::LeftOut);
 
   vtkRidgesMongeArrays arrays;
   vtkRidgesMesh mesh;

@@ -3,6 +3,7 @@
 
 #include "vtkRidgesArrayNames.h"
 #include "vtkRidgesMesh.h"
+#include "vtkRidgesUmbilicMarks.h"
 
 #include "vtkCellData.h"
 #include "vtkIdList.h"
@@ -11,16 +12,13 @@
 
 namespace names = vtkRidgesArrayNames;
 using ridges::Id;
-using ridges::Ridge;
-using ridges::RidgePoint;
 
-vtkRidgesPolylines::vtkRidgesPolylines(const vtkRidgesMesh& mesh, const ridges::MongeField& field,
-  const ridges::UmbilicCutOff& cutOff, double modelSize)
+vtkRidgesPolylines::vtkRidgesPolylines(const vtkRidgesMesh& mesh,
+  const vtkRidgesUmbilicMarks& umbilics, const ridges::UmbilicCutOff& cutOff, double modelSize)
   : Mesh(mesh)
-  , Field(field)
+  , Umbilics(umbilics)
   , CutOff(cutOff)
   , ModelSize(modelSize)
-  , UmbilicPatch(mesh.GetPolyData()->GetCellData()->GetArray(names::UmbilicPatch))
 {
   this->Points->SetDataTypeToDouble();
   this->RidgeType->SetName(names::RidgeType);
@@ -39,83 +37,56 @@ vtkRidgesPolylines::vtkRidgesPolylines(const vtkRidgesMesh& mesh, const ridges::
   this->EdgeParameter->SetName(names::EdgeParameter);
 }
 
-// Near an umbilic the frames of neighbours differ by any angle, and P interpolated between them
-// means little; section 6.5 says what it has to be.
-void vtkRidgesPolylines::SetHyperbolicInPatches(
-  const Ridge& ridge, std::vector<ridges::RidgeSegment>& segments, ridges::Color color) const
+void vtkRidgesPolylines::AddRidge(const ridges::RidgeTrace& ridge, ridges::Color color)
 {
-  const auto setFrom = [&](Id umbilicNode, auto first, auto last)
-  {
-    const vtkIdType umbilic =
-      Ridge::IsUmbilic(umbilicNode) ? this->UmbilicIdOf(Ridge::TriangleOfUmbilic(umbilicNode)) : -1;
-    for (auto s = first; umbilic >= 0 && s != last; ++s)
-    {
-      if (this->UmbilicIdOf(segments[*s].triangle) != umbilic)
-      {
-        break;
-      }
-      segments[*s].type = ridges::TypeOf(color, false);
-      segments[*s].crest = false;
-    }
-  };
-  setFrom(ridge.nodes.front(), ridge.segments.begin(), ridge.segments.end());
-  setFrom(ridge.nodes.back(), ridge.segments.rbegin(), ridge.segments.rend());
-}
-
-void vtkRidgesPolylines::AddRidge(Ridge& ridge, std::vector<ridges::RidgeSegment>& segments,
-  const ridges::RidgeCrossings& crossings)
-{
-  const ridges::Color color = crossings.RidgeColor();
-  this->SetHyperbolicInPatches(ridge, segments, color);
-  const std::vector<ridges::RidgeRun> runs = ridges::SplitByType(ridge, segments);
-  const std::vector<RidgePoint> points = this->PointsOf(ridge, crossings);
-  std::vector<vtkIdType> ids(points.size(), -1);
+  std::vector<vtkIdType> ids(ridge.vertices.size(), -1);
   const auto idOf = [&](Id i)
   {
     // A loop comes back to its first point.
     const Id slot = ridge.closed && i + 1 == static_cast<Id>(ids.size()) ? 0 : i;
     if (ids[slot] < 0)
     {
-      ids[slot] = this->InsertPoint(ridge.nodes[slot], points[slot], color);
+      ids[slot] = this->InsertVertex(ridge.vertices[slot], color);
     }
     return ids[slot];
   };
-  const auto typeOf = [&](Id i) { return segments[ridge.segments[i]].type; };
 
   const vtkIdType ridgeId = this->NextRidgeId++;
+  const Id last = static_cast<Id>(ridge.types.size()) - 1;
   vtkNew<vtkIdList> line;
-  for (const ridges::RidgeRun& run : runs)
+  std::vector<ridges::RidgePoint> points;
+  for (const ridges::RidgeRun& run : RunsOf(ridge))
   {
-    const ridges::RidgeSegment& segment = segments[ridge.segments[run.first]];
-    if (this->CrestOnly && !segment.crest)
+    const ridges::RidgeType type = ridge.types[run.first];
+    const bool crest = ridge.IsCrest(run.first);
+    if (this->CrestOnly && !crest)
     {
       continue;
     }
     line->Reset();
+    points.clear();
     for (Id i = run.first; i <= run.last; ++i)
     {
       line->InsertNextId(idOf(i));
+      points.push_back(ridge.vertices[i].point);
     }
     this->Lines->InsertNextCell(line);
 
     // The types at both sides of the run's ends, where there is another side.
-    const Id last = static_cast<Id>(ridge.segments.size()) - 1;
     if (run.first > 0 || ridge.closed)
     {
-      const bool turns = typeOf(run.first > 0 ? run.first - 1 : last) != segment.type;
+      const bool turns = ridge.types[run.first > 0 ? run.first - 1 : last] != type;
       this->TurningPoint->SetValue(idOf(run.first), turns ? 1 : 0);
     }
     if (run.last <= last || ridge.closed)
     {
-      const bool turns = typeOf(run.last <= last ? run.last : 0) != segment.type;
+      const bool turns = ridge.types[run.last <= last ? run.last : 0] != type;
       this->TurningPoint->SetValue(idOf(run.last), turns ? 1 : 0);
     }
 
-    const std::vector<RidgePoint> runPoints(
-      points.begin() + run.first, points.begin() + run.last + 1);
-    const auto measures = ridges::MeasureRidge(runPoints, segment.type, this->CutOff);
-    this->RidgeType->InsertNextValue(static_cast<int>(segment.type));
-    this->Crest->InsertNextValue(segment.crest ? 1 : 0);
+    const auto measures = ridges::MeasureRidge(points, type, this->CutOff);
+    this->RidgeType->InsertNextValue(static_cast<int>(type));
+    this->Crest->InsertNextValue(crest ? 1 : 0);
     this->Sharpness->InsertNextValue(measures.rawSharpness * this->ModelSize * this->ModelSize);
     this->Strength->InsertNextValue(measures.strength);
     this->Length->InsertNextValue(measures.length);
@@ -124,56 +95,33 @@ void vtkRidgesPolylines::AddRidge(Ridge& ridge, std::vector<ridges::RidgeSegment
   }
 }
 
-std::vector<RidgePoint> vtkRidgesPolylines::PointsOf(
-  const Ridge& ridge, const ridges::RidgeCrossings& crossings) const
+vtkIdType vtkRidgesPolylines::InsertVertex(const ridges::RidgeVertex& vertex, ridges::Color color)
 {
-  const ridges::TriangleMesh& mesh = this->Mesh.GetTriangles();
-  std::vector<RidgePoint> points(ridge.nodes.size());
-  for (std::size_t i = 0; i < points.size(); ++i)
-  {
-    if (!Ridge::IsUmbilic(ridge.nodes[i]))
-    {
-      points[i] = crossings.PointOn(ridge.nodes[i]);
-    }
-  }
-  // A segment has at most one end at an umbilic, so the neighbours of such ends are on edges.
-  const auto placeUmbilic = [&](std::size_t i, std::size_t next)
-  {
-    if (Ridge::IsUmbilic(ridge.nodes[i]))
-    {
-      points[i] = ridges::RidgePointAtUmbilic(
-        mesh, this->Field, Ridge::TriangleOfUmbilic(ridge.nodes[i]), points[next]);
-    }
-  };
-  placeUmbilic(0, 1);
-  placeUmbilic(points.size() - 1, points.size() - 2);
-  return points;
-}
-
-vtkIdType vtkRidgesPolylines::InsertPoint(Id node, const RidgePoint& point, ridges::Color color)
-{
+  const ridges::RidgePoint& point = vertex.point;
   vtkIdType umbilic = -1;
   vtkIdType edgePoints[2] = { -1, -1 };
   double secondDerivative = 0.0;
-  if (Ridge::IsUmbilic(node))
+  if (vertex.umbilic != ridges::RidgeVertex::None)
   {
     // All ridges that meet at an umbilic, of both colours, share one point.
-    const Id triangle = Ridge::TriangleOfUmbilic(node);
-    const auto found = this->UmbilicPoints.find(triangle);
-    if (found != this->UmbilicPoints.end())
+    const auto inserted =
+      this->UmbilicPoints.insert({ vertex.umbilic, this->Points->GetNumberOfPoints() });
+    if (!inserted.second)
     {
-      return found->second;
+      return inserted.first->second;
     }
-    this->UmbilicPoints[triangle] = this->Points->GetNumberOfPoints();
-    umbilic = this->UmbilicIdOf(triangle);
+    umbilic = this->Umbilics.UmbilicAt(vertex.umbilic);
   }
   else
   {
-    const ridges::Edge& edge = this->Mesh.GetTriangles().EdgeAt(node);
-    edgePoints[0] = edge.v0;
-    edgePoints[1] = edge.v1;
     const double magnitude = point.gap > 0.0 ? point.P / point.gap : 0.0;
     secondDerivative = color == ridges::Color::Blue ? magnitude : -magnitude;
+  }
+  if (vertex.edge != ridges::RidgeVertex::None)
+  {
+    const ridges::Edge& edge = this->Mesh.GetTriangles().EdgeAt(vertex.edge);
+    edgePoints[0] = edge.v0;
+    edgePoints[1] = edge.v1;
   }
   this->Curvature->InsertNextValue(point.curvature);
   this->SecondDerivative->InsertNextValue(secondDerivative);
@@ -185,14 +133,7 @@ vtkIdType vtkRidgesPolylines::InsertPoint(Id node, const RidgePoint& point, ridg
   return this->Points->InsertNextPoint(point.position.data());
 }
 
-vtkIdType vtkRidgesPolylines::UmbilicIdOf(Id triangle) const
-{
-  return this->UmbilicPatch
-    ? static_cast<vtkIdType>(this->UmbilicPatch->GetComponent(this->Mesh.GetCellId(triangle), 0))
-    : -1;
-}
-
-void vtkRidgesPolylines::Store(vtkPolyData* output)
+void vtkRidgesPolylines::Store(vtkPolyData* output, bool hasFourthOrder)
 {
   output->SetPoints(this->Points);
   output->SetLines(this->Lines);
@@ -213,7 +154,7 @@ void vtkRidgesPolylines::Store(vtkPolyData* output)
   pointData->AddArray(this->EdgePoint0);
   pointData->AddArray(this->EdgePoint1);
   pointData->AddArray(this->EdgeParameter);
-  if (this->Field.HasFourthOrder())
+  if (hasFourthOrder)
   {
     cellData->AddArray(this->Sharpness);
     pointData->AddArray(this->SecondDerivative);

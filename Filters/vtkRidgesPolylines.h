@@ -2,8 +2,8 @@
 #ifndef vtkRidgesPolylines_h
 #define vtkRidgesPolylines_h
 
-#include "Core/RidgeAssembly.h"
 #include "Core/RidgeMeasures.h"
+#include "Core/RidgeTrace.h"
 
 #include "vtkCellArray.h"
 #include "vtkDoubleArray.h"
@@ -15,9 +15,9 @@
 #include <unordered_map>
 #include <vector>
 
-class vtkDataArray;
 class vtkPolyData;
 class vtkRidgesMesh;
+class vtkRidgesUmbilicMarks;
 
 /**
  * Collects ridges as the polylines and arrays that vtkRidgeExtraction puts out, private to the
@@ -26,35 +26,27 @@ class vtkRidgesMesh;
 class vtkRidgesPolylines
 {
 public:
-  vtkRidgesPolylines(const vtkRidgesMesh& mesh, const ridges::MongeField& field,
+  vtkRidgesPolylines(const vtkRidgesMesh& mesh, const vtkRidgesUmbilicMarks& umbilics,
     const ridges::UmbilicCutOff& cutOff, double modelSize);
 
   void SetCrestOnly(bool crestOnly) { this->CrestOnly = crestOnly; }
 
-  /// The next ridge between these crossings: its runs of one type become polylines. From an umbilic
-  /// to the contour of its patch a ridge is hyperbolic (RR-5294, section 6.5).
-  void AddRidge(ridges::Ridge& ridge, std::vector<ridges::RidgeSegment>& segments,
-    const ridges::RidgeCrossings& crossings);
+  /// The next ridge: its runs of one type become polylines.
+  void AddRidge(const ridges::RidgeTrace& ridge, ridges::Color color);
 
-  void Store(vtkPolyData* output);
+  void Store(vtkPolyData* output, bool hasFourthOrder);
 
 private:
-  void SetHyperbolicInPatches(const ridges::Ridge& ridge,
-    std::vector<ridges::RidgeSegment>& segments, ridges::Color color) const;
-  std::vector<ridges::RidgePoint> PointsOf(
-    const ridges::Ridge& ridge, const ridges::RidgeCrossings& crossings) const;
-  vtkIdType InsertPoint(ridges::Id node, const ridges::RidgePoint& point, ridges::Color color);
-  vtkIdType UmbilicIdOf(ridges::Id triangle) const;
+  vtkIdType InsertVertex(const ridges::RidgeVertex& vertex, ridges::Color color);
 
   const vtkRidgesMesh& Mesh;
-  const ridges::MongeField& Field;
+  const vtkRidgesUmbilicMarks& Umbilics;
   const ridges::UmbilicCutOff& CutOff;
   double ModelSize;
   bool CrestOnly = false;
-  vtkDataArray* UmbilicPatch;
 
   vtkIdType NextRidgeId = 0;
-  std::unordered_map<ridges::Id, vtkIdType> UmbilicPoints; ///< By singular triangle.
+  std::unordered_map<ridges::Id, vtkIdType> UmbilicPoints; ///< By triangle.
 
   vtkNew<vtkPoints> Points;
   vtkNew<vtkCellArray> Lines;

@@ -1,28 +1,26 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkUmbilicDetection.h"
 
+#include "Core/DirectionIndex.h"
+#include "Core/GapError.h"
+#include "Core/IndexCharge.h"
 #include "Core/UmbilicDetection.h"
+#include "Core/UmbilicGathering.h"
 #include "vtkRidgesArrayNames.h"
 #include "vtkRidgesBatches.h"
 #include "vtkRidgesMongeInput.h"
+#include "vtkRidgesUmbilicOutput.h"
 
-#include "vtkCellArray.h"
-#include "vtkCellData.h"
 #include "vtkDoubleArray.h"
-#include "vtkFieldData.h"
-#include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
-#include "vtkIntArray.h"
-#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
-#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSMPThreadLocal.h"
 
-#include <algorithm>
 #include <cmath>
 #include <memory>
+#include <utility>
 
 namespace names = vtkRidgesArrayNames;
 
@@ -77,87 +75,118 @@ private:
   vtkSMPThreadLocal<std::shared_ptr<ridges::UmbilicDetector>> PerThread;
 };
 
-template <typename Array>
-vtkNew<Array> MakeArray(const char* name, int components = 1)
+/// What is asked of every point first: whether it is tame, and the error of k1 - k2.
+struct LookAtPoints
 {
-  vtkNew<Array> array;
-  array->SetName(name);
-  array->SetNumberOfComponents(components);
-  return array;
-}
-
-void MarkOnMesh(
-  const vtkRidgesMesh& mesh, const std::vector<ridges::Umbilic>& umbilics, vtkPolyData* output)
-{
-  output->ShallowCopy(mesh.GetPolyData());
-
-  auto patch = MakeArray<vtkIdTypeArray>(names::UmbilicPatch);
-  patch->SetNumberOfTuples(output->GetNumberOfCells());
-  patch->Fill(-1);
-  auto position = MakeArray<vtkDoubleArray>(names::UmbilicPosition, 3);
-  auto index = MakeArray<vtkDoubleArray>(names::UmbilicIndex);
-  auto ridgeCount = MakeArray<vtkIntArray>(names::UmbilicRidgeCount);
-  double indexSum = 0.0;
-  for (std::size_t i = 0; i < umbilics.size(); ++i)
+  LookAtPoints(const ridges::TriangleMesh& mesh, const ridges::DirectionIndex& index,
+    const ridges::GapErrorSource& errors)
+    : Mesh(mesh)
+    , Index(index)
+    , Errors(errors)
+    , IsTame(mesh.NumberOfPoints(), 0)
+    , GapErrors(mesh.NumberOfPoints(), 0.0)
   {
-    const ridges::Umbilic& umbilic = umbilics[i];
-    for (const ridges::Id t : umbilic.patch)
+  }
+
+  void operator()(vtkIdType begin, vtkIdType end)
+  {
+    for (auto p = static_cast<ridges::Id>(begin); p < static_cast<ridges::Id>(end); ++p)
     {
-      patch->SetValue(mesh.GetCellId(t), static_cast<vtkIdType>(i));
+      this->IsTame[p] = this->Index.IsTame(p) ? 1 : 0;
+      this->GapErrors[p] = ridges::GapError(this->Mesh, this->Errors, p);
     }
-    position->InsertNextTuple(umbilic.position.data());
-    index->InsertNextValue(umbilic.index);
-    ridgeCount->InsertNextValue(umbilic.ridgeCount);
-    indexSum += umbilic.index;
   }
-  auto sum = MakeArray<vtkDoubleArray>(names::UmbilicIndexSum);
-  sum->InsertNextValue(indexSum);
-  auto euler = MakeArray<vtkIntArray>(names::EulerCharacteristic);
-  euler->InsertNextValue(mesh.GetTriangles().EulerCharacteristic());
 
-  output->GetCellData()->AddArray(patch);
-  // The field data is still the input's own, which is not ours to change.
-  vtkNew<vtkFieldData> field;
-  field->ShallowCopy(output->GetFieldData());
-  for (vtkAbstractArray* array : { static_cast<vtkAbstractArray*>(position),
-         static_cast<vtkAbstractArray*>(index), static_cast<vtkAbstractArray*>(ridgeCount),
-         static_cast<vtkAbstractArray*>(sum), static_cast<vtkAbstractArray*>(euler) })
+  const ridges::TriangleMesh& Mesh;
+  const ridges::DirectionIndex& Index;
+  const ridges::GapErrorSource& Errors;
+  std::vector<std::uint8_t> IsTame;
+  std::vector<double> GapErrors;
+};
+
+/// The index of every triangle that has directions, and whether it is weak.
+struct LookAtTriangles
+{
+  LookAtTriangles(const ridges::MongeField& field, const LookAtPoints& points, double significance)
+    : Field(field)
+    , Points(points)
+    , Significance(significance)
+    , HalfTurns(points.Mesh.NumberOfTriangles(), 0)
+    , IsWeak(points.Mesh.NumberOfTriangles(), 0)
   {
-    field->AddArray(array);
   }
-  output->SetFieldData(field);
+
+  void operator()(vtkIdType begin, vtkIdType end)
+  {
+    for (auto t = static_cast<ridges::Id>(begin); t < static_cast<ridges::Id>(end); ++t)
+    {
+      if (!this->Points.Index.IsUsable(t))
+      {
+        continue;
+      }
+      const bool looks = this->All || this->Points.Index.MayTurn(t, this->Points.IsTame);
+      this->HalfTurns[t] = static_cast<std::int8_t>(looks ? this->Points.Index.HalfTurns(t) : 0);
+      this->IsWeak[t] = ridges::IsWeak(this->Points.Mesh, this->Field,
+                          this->Points.GapErrors.data(), this->Significance, t)
+        ? 1
+        : 0;
+    }
+  }
+
+  std::vector<ridges::IndexCharge> Collect() const
+  {
+    std::vector<ridges::IndexCharge> charges;
+    for (ridges::Id t = 0; t < this->Points.Mesh.NumberOfTriangles(); ++t)
+    {
+      if (this->HalfTurns[t] != 0)
+      {
+        charges.push_back({ t, this->HalfTurns[t] });
+      }
+    }
+    const auto more = ridges::ChargesOfUnusable(this->Points.Mesh, this->Points.Index);
+    charges.insert(charges.end(), more.begin(), more.end());
+    return charges;
+  }
+
+  const ridges::MongeField& Field;
+  const LookAtPoints& Points;
+  double Significance;
+  bool All = false; ///< Whether to trust no cheap test.
+  std::vector<std::int8_t> HalfTurns;
+  std::vector<std::uint8_t> IsWeak;
+};
+
+ridges::GapErrorSource FetchErrors(vtkPolyData* mesh)
+{
+  const auto fetch = [mesh](const char* name) -> const double*
+  {
+    auto* array = vtkDoubleArray::SafeDownCast(mesh->GetPointData()->GetArray(name));
+    return array && array->GetNumberOfComponents() == 1 ? array->GetPointer(0) : nullptr;
+  };
+  return { fetch(names::MaximumCurvatureError), fetch(names::MinimumCurvatureError),
+    fetch(names::FitResidual), fetch(names::FitScale) };
 }
 
-void StoreVertices(
-  const vtkRidgesMesh& mesh, const std::vector<ridges::Umbilic>& umbilics, vtkPolyData* output)
+int SumOf(const std::vector<ridges::IndexCharge>& charges)
 {
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  vtkNew<vtkCellArray> vertices;
-  auto id = MakeArray<vtkIdTypeArray>(names::UmbilicId);
-  auto index = MakeArray<vtkDoubleArray>(names::Index);
-  auto ridgeCount = MakeArray<vtkIntArray>(names::RidgeCount);
-  auto thirdOrderIndex = MakeArray<vtkIntArray>(names::ThirdOrderIndex);
-  auto triangle = MakeArray<vtkIdTypeArray>(names::Triangle);
-  for (const ridges::Umbilic& umbilic : umbilics)
+  int sum = 0;
+  for (const ridges::IndexCharge& charge : charges)
   {
-    const vtkIdType p = points->InsertNextPoint(umbilic.position.data());
-    vertices->InsertNextCell(1, &p);
-    id->InsertNextValue(p);
-    index->InsertNextValue(umbilic.index);
-    ridgeCount->InsertNextValue(umbilic.ridgeCount);
-    thirdOrderIndex->InsertNextValue(umbilic.thirdOrderIndex);
-    triangle->InsertNextValue(mesh.GetCellId(umbilic.triangle));
+    sum += charge.halfTurns;
   }
-  output->SetPoints(points);
-  output->SetVerts(vertices);
-  vtkPointData* pointData = output->GetPointData();
-  pointData->AddArray(id);
-  pointData->AddArray(index);
-  pointData->AddArray(ridgeCount);
-  pointData->AddArray(thirdOrderIndex);
-  pointData->AddArray(triangle);
-  pointData->SetActiveScalars(names::Index);
+  return sum;
+}
+
+bool IsClosed(const ridges::TriangleMesh& mesh)
+{
+  for (ridges::Id e = 0; e < mesh.NumberOfEdges(); ++e)
+  {
+    if (mesh.EdgeAt(e).t1 < 0)
+    {
+      return false;
+    }
+  }
+  return true;
 }
 
 } // namespace
@@ -174,33 +203,84 @@ int vtkUmbilicDetection::RequestData(
   vtkPolyData* markedMesh = vtkPolyData::GetData(outputVector, 0);
   vtkPolyData* vertices = vtkPolyData::GetData(outputVector, 1);
 
-  if (std::isnan(this->PatchSize))
+  if (std::isnan(this->PatchSize) || std::isnan(this->Significance))
   {
-    vtkErrorMacro("PatchSize is not a number: set one from 1 to 100.");
+    vtkErrorMacro(<< (std::isnan(this->PatchSize) ? "PatchSize" : "Significance")
+                  << " is not a number.");
     return 0;
   }
+  const bool byIndices = this->Method == INDICES;
   vtkRidgesMongeInput monge;
-  if (!monge.Fetch(this, input, false))
+  if (!monge.Fetch(this, input, false,
+        byIndices ? vtkRidgesMongeInput::Unusable::Kept : vtkRidgesMongeInput::Unusable::LeftOut))
   {
     return 0;
   }
-  const vtkRidgesMesh& mesh = monge.mesh;
-
-  FindCandidates findCandidates(mesh.GetTriangles(), monge.arrays.GetField(), this->PatchSize);
-  if (!vtkRidgesForBatches(this, mesh.GetTriangles().NumberOfTriangles(), 0.1, 0.9, findCandidates))
+  vtkRidgesUmbilicOutput found;
+  if (!(byIndices ? this->FindByIndices(monge, found) : this->FindMinima(monge, found)))
   {
     return 1;
   }
-  ridges::UmbilicDetector detector(mesh.GetTriangles(), monge.arrays.GetField(), this->PatchSize);
-  const std::vector<ridges::Umbilic> umbilics = detector.Select(findCandidates.Collect());
-
-  MarkOnMesh(mesh, umbilics, markedMesh);
-  StoreVertices(mesh, umbilics, vertices);
+  found.MarkOnMesh(monge.mesh, markedMesh);
+  found.StoreVertices(monge.mesh, vertices);
   return 1;
+}
+
+bool vtkUmbilicDetection::FindByIndices(vtkRidgesMongeInput& monge, vtkRidgesUmbilicOutput& found)
+{
+  const ridges::TriangleMesh& mesh = monge.mesh.GetTriangles();
+  const ridges::MongeField& field = monge.arrays.GetField();
+  const std::uint8_t* usable = monge.arrays.GetUsable().data();
+  const ridges::DirectionIndex index(mesh, field, usable);
+  const ridges::GapErrorSource errors = FetchErrors(monge.mesh.GetPolyData());
+  LookAtPoints points(mesh, index, errors);
+  LookAtTriangles triangles(field, points, this->Significance);
+  if (!vtkRidgesForBatches(this, mesh.NumberOfPoints(), 0.1, 0.4, points) ||
+    !vtkRidgesForBatches(this, mesh.NumberOfTriangles(), 0.4, 0.6, triangles))
+  {
+    return false;
+  }
+  std::vector<ridges::IndexCharge> charges = triangles.Collect();
+  if (SumOf(charges) != 2 * mesh.EulerCharacteristic() && IsClosed(mesh))
+  {
+    // The theorem is about oriented surfaces, and the test that spares most triangles is a rule of
+    // thumb.
+    monge.mesh.OrientConsistently();
+    triangles.All = true;
+    if (!vtkRidgesForBatches(this, mesh.NumberOfTriangles(), 0.6, 0.7, triangles))
+    {
+      return false;
+    }
+    charges = triangles.Collect();
+  }
+  ridges::SpreadLargeCharges(mesh, charges);
+  ridges::UmbilicGathering gathering(mesh, field, std::move(charges), triangles.IsWeak, usable);
+  this->UpdateProgress(0.8);
+  found.umbilics = gathering.Umbilics(this->PatchSize);
+  found.cancelled = gathering.CancelledRegions();
+  found.zones = ridges::WeakZones(mesh, triangles.IsWeak);
+  return true;
+}
+
+bool vtkUmbilicDetection::FindMinima(
+  const vtkRidgesMongeInput& monge, vtkRidgesUmbilicOutput& found)
+{
+  const ridges::TriangleMesh& mesh = monge.mesh.GetTriangles();
+  const ridges::MongeField& field = monge.arrays.GetField();
+  FindCandidates findCandidates(mesh, field, this->PatchSize);
+  if (!vtkRidgesForBatches(this, mesh.NumberOfTriangles(), 0.1, 0.9, findCandidates))
+  {
+    return false;
+  }
+  ridges::UmbilicDetector detector(mesh, field, this->PatchSize);
+  found.umbilics = detector.Select(findCandidates.Collect());
+  return true;
 }
 
 void vtkUmbilicDetection::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "Method: " << (this->Method == INDICES ? "Indices" : "Minima") << "\n";
+  os << indent << "Significance: " << this->Significance << "\n";
   os << indent << "PatchSize: " << this->PatchSize << "\n";
 }

@@ -4,43 +4,67 @@
  * @brief   find the umbilics of a mesh that carries Monge arrays
  *
  * An umbilic is a point where the principal curvatures are equal and the principal directions turn
- * by half a turn around it: its index is +1/2 or -1/2. Method: RR-5294, section 8. A patch, which
- * stays a topological disk, is grown around each triangle; a triangle that minimises k1 - k2 over
- * its patch, and on whose contour the directions turn by half a turn, is an umbilic.
+ * by half a turn around it: its index is +1/2 or -1/2. On a closed surface the indices sum to the
+ * Euler characteristic.
+ *
+ * Method INDICES, the default: the index of every triangle is computed, so that their sum is the
+ * Euler characteristic on any closed mesh, with any directions. Umbilics of opposite index that
+ * noise has made are cancelled: those with a way between them on which k1 - k2 is within
+ * Significance standard errors of zero. Around each one left a patch is grown.
+ *
+ * Method MINIMA, RR-5294, section 8: a patch, which stays a topological disk, is grown around each
+ * triangle; a triangle that minimises k1 - k2 over its patch, and on whose contour the directions
+ * turn by half a turn, is an umbilic. The sum of the indices is what it comes to.
  *
  * Input: a mesh with the point arrays MaximumCurvature, MinimumCurvature, MaximumDirection,
- * MinimumDirection and ThirdOrder of vtkJetFitting; FitStatus, if there, tells invalid points,
- * whose triangles are left out.
+ * MinimumDirection and ThirdOrder of vtkJetFitting; FitStatus, if there, tells invalid points. The
+ * standard error of k1 - k2 is taken from MaximumCurvatureError and MinimumCurvatureError if they
+ * are there, else estimated from FitResidual and FitScale; without these nothing is cancelled but
+ * opposite umbilics in neighbouring triangles.
  *
  * Output port 0: the mesh with the umbilics marked on it, for vtkRidgeExtraction:
  *
- * | array               | on    | meaning                                                     |
- * |---------------------|-------|-------------------------------------------------------------|
- * | UmbilicPatch        | cells | umbilic whose patch the cell is in, -1 outside              |
- * | UmbilicPosition (3) | field | a tuple per umbilic: where it is                            |
- * | UmbilicIndex        | field | +0.5 or -0.5 per umbilic                                    |
- * | UmbilicRidgeCount   | field | 1 or 3 per umbilic                                          |
- * | UmbilicIndexSum     | field | sum of all indices                                          |
- * | EulerCharacteristic | field | what that sum should be on a closed mesh                    |
+ * | array                    | on    | meaning                                                |
+ * |--------------------------|-------|--------------------------------------------------------|
+ * | UmbilicPatch             | cells | umbilic whose patch the cell is in, -1 outside         |
+ * | CancelledUmbilics        | cells | number of the region, outside all patches, in which    |
+ * |                          |       | umbilics have cancelled each other; -1 outside         |
+ * | UmbilicZone              | cells | number of the connected region in which k1 - k2 is     |
+ * |                          |       | nowhere significant, as on spheres; -1 outside         |
+ * | UmbilicPosition (3)      | field | a tuple per umbilic: where it is                       |
+ * | UmbilicIndex             | field | +0.5 or -0.5 per umbilic                               |
+ * | UmbilicRidgeCount        | field | 1 or 3 per umbilic                                     |
+ * | UmbilicTriangle          | field | the cell that contains it, per umbilic                 |
+ * | UmbilicIndexSum          | field | sum of all indices                                     |
+ * | EulerCharacteristic      | field | what that sum should be on a closed mesh               |
+ * | NumberOfCancelledRegions | field | of CancelledUmbilics                                   |
+ * | NumberOfUmbilicZones     | field | of UmbilicZone                                         |
  *
  * Output port 1: a vertex per umbilic, with the point arrays
  *
  * | array           | meaning                                                                  |
  * |-----------------|--------------------------------------------------------------------------|
- * | UmbilicId       | 0, 1, 2, ... by growing k1 - k2 of the triangle found                    |
+ * | UmbilicId       | 0, 1, 2, ... by x, then y, then z; with MINIMA by growing k1 - k2        |
  * | Index           | turns of the principal directions around it, +0.5 or -0.5                |
  * | RidgeCount      | ridges of each colour that meet there by the third-order form, 1 or 3    |
  * | ThirdOrderIndex | sign of S (section 8.2): that of the index, by third order               |
+ * | Pattern         | how curvature lines run around it: 1 lemon, 2 monstar (both of index     |
+ * |                 | +0.5), 3 star (-0.5)                                                     |
+ * | TouchesBorder   | 1 where its patch is on the border of the mesh                           |
  * | Triangle        | the cell of the mesh that contains it                                    |
  *
  * The position is the zero of the traceless second fundamental form, interpolated over the one
  * triangle of the patch around whose border the directions turn: second-order accurate.
  *
- * Guarantees: patches do not overlap; the result does not depend on the number of threads.
+ * Guarantees: patches are disks and do not overlap; the result depends neither on the number of
+ * threads nor on the numbering; with INDICES the sum of the indices is the Euler characteristic of
+ * every closed connected part of the mesh.
  *
  * @warning
- * On noisy data the sum of the indices may miss the Euler characteristic: compare the two field
- * arrays. On spheres and planes, where k1 = k2 everywhere, umbilics mean nothing.
+ * On spheres and planes, where k1 = k2 everywhere, umbilics mean nothing: only as many are left as
+ * the Euler characteristic demands, inside an UmbilicZone. Where directions turn by several half
+ * turns around one triangle, as on a cube of twelve, several umbilics lie in it, and the first has
+ * the patch.
  *
  * @sa
  * vtkJetFitting vtkRidgeExtraction
@@ -52,6 +76,9 @@
 #include "vtkFiltersRidgesModule.h" // For export macro
 #include "vtkPolyDataAlgorithm.h"
 
+struct vtkRidgesMongeInput;
+struct vtkRidgesUmbilicOutput;
+
 class VTKFILTERSRIDGES_EXPORT vtkUmbilicDetection : public vtkPolyDataAlgorithm
 {
 public:
@@ -59,12 +86,42 @@ public:
   vtkTypeMacro(vtkUmbilicDetection, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  enum Methods
+  {
+    INDICES = 0,
+    MINIMA = 1
+  };
+
+  ///@{
+  /**
+   * How umbilics are found: from the index of every triangle, or by the paper's minima of k1 - k2.
+   * Default the indices, of which none can be lost.
+   */
+  vtkSetClampMacro(Method, int, INDICES, MINIMA);
+  vtkGetMacro(Method, int);
+  void SetMethodToIndices() { this->SetMethod(INDICES); }
+  void SetMethodToMinima() { this->SetMethod(MINIMA); }
+  ///@}
+
+  ///@{
+  /**
+   * By how many standard errors k1 - k2 has to differ from zero for directions to be believed;
+   * 0 to 100. Default 3. With 0 no umbilics cancel each other but those in neighbouring triangles;
+   * larger values leave fewer. Not used by MINIMA.
+   */
+  vtkSetClampMacro(Significance, double, 0.0, 100.0);
+  vtkGetMacro(Significance, double);
+  ///@}
+
   ///@{
   /**
    * Size of the patches, as a multiple of the distance from a triangle's centroid to the farthest
    * one among the triangles that touch it; free of units, 1 to 100. Default 2: the smallest of
-   * the two sizes that the paper found good (2 and 3). A larger patch finds fewer umbilics and
-   * computes their index farther away from them, where directions are more reliable.
+   * the two sizes that the paper found good (2 and 3). With MINIMA a larger patch finds fewer
+   * umbilics and computes their index farther away from them, where directions are more reliable;
+   * the umbilics of INDICES do not depend on it. A patch ends half way to the next umbilic, and
+   * where as many ridges as meet at its umbilic cross its contour, for which it may be smaller or,
+   * if it has to be, twice as large.
    */
   vtkSetClampMacro(PatchSize, double, 1.0, 100.0);
   vtkGetMacro(PatchSize, double);
@@ -76,9 +133,14 @@ protected:
 
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
+  int Method = INDICES;
+  double Significance = 3.0;
   double PatchSize = 2.0;
 
 private:
+  bool FindByIndices(vtkRidgesMongeInput& monge, vtkRidgesUmbilicOutput& found);
+  bool FindMinima(const vtkRidgesMongeInput& monge, vtkRidgesUmbilicOutput& found);
+
   vtkUmbilicDetection(const vtkUmbilicDetection&) = delete;
   void operator=(const vtkUmbilicDetection&) = delete;
 };

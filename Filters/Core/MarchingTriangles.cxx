@@ -26,7 +26,7 @@ void MarchTriangle(
     for (int i = 0; i < count; ++i)
     {
       segments.push_back({ triangle, mesh.EdgeOf(triangle, crossed[i]), RidgeSegment::ToUmbilic,
-        TypeOf(color, false), false });
+        TypeOf(color, false) });
     }
   }
   else if (count == 2)
@@ -44,8 +44,7 @@ void MarchTriangle(
       ? r1.P + r2.P < 0.0
       : IsEllipticByThirdOrder(
           mesh, crossings.Field(), color, triangle, side2, r1.position, r2.position);
-    segments.push_back({ triangle, edge0, edge1, TypeOf(color, elliptic),
-      elliptic && r1.crestMargin + r2.crestMargin >= 0.0 });
+    segments.push_back({ triangle, edge0, edge1, TypeOf(color, elliptic) });
   }
 }
 

@@ -23,12 +23,20 @@ enum class TypeRule
 struct RidgeSegment
 {
   static constexpr Id ToUmbilic = -1;
+  static constexpr Id NoPath = -1;
 
   Id triangle;
   Id edge0;
   Id edge1; ///< Or ToUmbilic.
   RidgeType type;
-  bool crest; ///< Elliptic, and the own curvature is the larger in absolute value (section 7.2).
+  Id path = NoPath; ///< Index of a RidgePath, for a piece that passes through more triangles.
+};
+
+/// What a piece of a ridge passes through on its way from edge0 to edge1.
+struct RidgePath
+{
+  std::vector<Id> edges;
+  std::vector<RidgePoint> points;
 };
 
 /**

@@ -108,35 +108,4 @@ std::vector<Ridge> AssembleRidges(
   return ridges;
 }
 
-std::vector<RidgeRun> SplitByType(Ridge& ridge, const std::vector<RidgeSegment>& segments)
-{
-  const auto alike = [&](Id s, Id t)
-  { return segments[s].type == segments[t].type && segments[s].crest == segments[t].crest; };
-  const bool seamInsideRun = ridge.closed && alike(ridge.segments.back(), ridge.segments.front());
-  const auto change = std::adjacent_find(
-    ridge.segments.begin(), ridge.segments.end(), [&](Id s, Id t) { return !alike(s, t); });
-  if (seamInsideRun && change != ridge.segments.end())
-  {
-    const auto shift = change + 1 - ridge.segments.begin();
-    ridge.nodes.pop_back();
-    std::rotate(ridge.segments.begin(), ridge.segments.begin() + shift, ridge.segments.end());
-    std::rotate(ridge.nodes.begin(), ridge.nodes.begin() + shift, ridge.nodes.end());
-    ridge.nodes.push_back(ridge.nodes.front());
-  }
-
-  std::vector<RidgeRun> runs;
-  const Id count = static_cast<Id>(ridge.segments.size());
-  for (Id first = 0; first < count;)
-  {
-    Id last = first + 1;
-    while (last < count && alike(ridge.segments[last - 1], ridge.segments[last]))
-    {
-      ++last;
-    }
-    runs.push_back({ first, last });
-    first = last;
-  }
-  return runs;
-}
-
 } // namespace ridges

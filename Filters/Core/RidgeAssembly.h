@@ -25,13 +25,6 @@ struct Ridge
   bool closed = false;
 };
 
-/// A run of a ridge with one type: segments [first, last) of it.
-struct RidgeRun
-{
-  Id first;
-  Id last;
-};
-
 /**
  * Joins segments of one colour end to end, in time linear in their number and in the edges of
  * the mesh. Every segment comes out in exactly one ridge. Ridges stop at umbilics, on the border
@@ -39,12 +32,6 @@ struct RidgeRun
  */
 std::vector<Ridge> AssembleRidges(
   const TriangleMesh& mesh, const std::vector<RidgeSegment>& segments);
-
-/**
- * The runs of equal type and crest flag, in order. A loop with more than one run is first turned
- * so that it starts where a run does.
- */
-std::vector<RidgeRun> SplitByType(Ridge& ridge, const std::vector<RidgeSegment>& segments);
 
 } // namespace ridges
 

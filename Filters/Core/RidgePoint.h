@@ -29,22 +29,16 @@ struct RidgePoint
 RidgePoint RidgePointOnEdge(
   const TriangleMesh& mesh, const MongeField& field, Color color, CrossingRule rule, Id edge);
 
-/**
- * The umbilic of a singular triangle, as barycentric weights of its corners: where the traceless
- * part of the second fundamental form, interpolated linearly between the corners, vanishes; the
- * centroid if there is no such point inside. Second-order accurate.
- */
-Eigen::Vector3d UmbilicWeights(const TriangleMesh& mesh, const MongeField& field, Id triangle);
-
-/// The point with these weights.
-Eigen::Vector3d UmbilicInTriangle(const TriangleMesh& mesh, const MongeField& field, Id triangle);
+/// A point on an edge, at this fraction of the way from its smaller point id.
+RidgePoint RidgePointAt(
+  const TriangleMesh& mesh, const MongeField& field, Color color, Id edge, double parameter);
 
 /**
- * The end of a ridge at the umbilic of a singular triangle. P, which has a limit there that depends
- * on the ridge, is that of the ridge's next point.
+ * The end of a ridge at an umbilic in a triangle. P, which has a limit there that depends on the
+ * ridge, is that of the ridge's next point.
  */
-RidgePoint RidgePointAtUmbilic(
-  const TriangleMesh& mesh, const MongeField& field, Id triangle, const RidgePoint& next);
+RidgePoint RidgePointAtUmbilic(const TriangleMesh& mesh, const MongeField& field, Id triangle,
+  const Eigen::Vector3d& position, const RidgePoint& next);
 
 } // namespace ridges
 

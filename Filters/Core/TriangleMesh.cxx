@@ -212,4 +212,45 @@ Id TriangleMesh::NumberOfNonManifoldEdges() const
     [](const Edge& edge) { return edge.t1 == NonManifold; }));
 }
 
+void TriangleMesh::OrientConsistently()
+{
+  std::vector<std::uint8_t> isReached(this->NumberOfTriangles(), 0);
+  std::vector<Id> reached;
+  for (Id first = 0; first < this->NumberOfTriangles(); ++first)
+  {
+    if (isReached[first])
+    {
+      continue;
+    }
+    isReached[first] = 1;
+    reached.assign(1, first);
+    for (std::size_t i = 0; i < reached.size(); ++i)
+    {
+      const Id t = reached[i];
+      for (int side = 0; side < 3; ++side)
+      {
+        const Id next = this->Neighbor(t, side);
+        if (next < 0 || isReached[next])
+        {
+          continue;
+        }
+        isReached[next] = 1;
+        reached.push_back(next);
+        Triangle& corners = this->Triangles_[next];
+        const Id from = this->Triangles_[t][side];
+        const Id to = this->Triangles_[t][(side + 1) % 3];
+        for (int j = 0; j < 3; ++j)
+        {
+          if (corners[j] == from && corners[(j + 1) % 3] == to)
+          {
+            std::swap(corners[1], corners[2]);
+            std::swap(this->TriangleEdges_[next][0], this->TriangleEdges_[next][2]);
+            break;
+          }
+        }
+      }
+    }
+  }
+}
+
 } // namespace ridges

@@ -124,6 +124,10 @@ public:
   /// Edges whose two triangles run through them in the same direction.
   Id NumberOfInconsistentEdges() const;
 
+  /// Turns triangles around so that neighbours run through their edge in opposite senses, wherever
+  /// that is possible: a connected part takes the sense of its first triangle.
+  void OrientConsistently();
+
   /// Edges with more than two triangles.
   Id NumberOfNonManifoldEdges() const;
 

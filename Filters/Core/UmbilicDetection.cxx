@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "UmbilicDetection.h"
 
-#include "RidgePoint.h"
-
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -73,40 +71,6 @@ double ContourIndex(
   return 0.5 * std::round(turned / Pi);
 }
 
-SymmetricTensor<3> TriangleCubicForm(const TriangleMesh& mesh, const MongeField& field, Id triangle)
-{
-  const PlaneAxes axes(mesh.AreaNormal(triangle));
-  SymmetricTensor<3> mean{};
-  for (const Id p : mesh.Corners(triangle))
-  {
-    const double angle = axes.Angle(field.D1(p));
-    const Eigen::Vector2d e1InPrincipal(std::cos(angle), -std::sin(angle));
-    const Eigen::Vector2d e2InPrincipal(std::sin(angle), std::cos(angle));
-    const double* b = field.ThirdOrder(p);
-    const auto form =
-      InBasis(SymmetricTensor<3>{ b[0], b[1], b[2], b[3] }, e1InPrincipal, e2InPrincipal);
-    for (std::size_t j = 0; j < mean.size(); ++j)
-    {
-      mean[j] += form[j] / 3.0;
-    }
-  }
-  return mean;
-}
-
-int RidgeCountOf(const SymmetricTensor<3>& f)
-{
-  const double minusDiscriminant = f[0] * f[0] * f[3] * f[3] - 6.0 * f[0] * f[1] * f[2] * f[3] +
-    4.0 * f[0] * f[2] * f[2] * f[2] + 4.0 * f[1] * f[1] * f[1] * f[3] -
-    3.0 * f[1] * f[1] * f[2] * f[2];
-  return minusDiscriminant < 0.0 ? 3 : 1;
-}
-
-int ThirdOrderIndexOf(const SymmetricTensor<3>& f)
-{
-  const double s = (f[0] - f[2]) * f[2] - f[1] * (f[1] - f[3]);
-  return s > 0.0 ? 1 : (s < 0.0 ? -1 : 0);
-}
-
 UmbilicDetector::UmbilicDetector(
   const TriangleMesh& mesh, const MongeField& field, double patchSize)
   : Mesh_(mesh)
@@ -171,10 +135,8 @@ std::vector<Umbilic> UmbilicDetector::Select(std::vector<Id> candidates)
       continue;
     }
     const Id home = this->NearestSingularTriangle(patch);
-    const auto cubicForm = TriangleCubicForm(this->Mesh_, this->Field_, home);
-    umbilics.push_back(
-      { home, UmbilicInTriangle(this->Mesh_, this->Field_, home), index, RidgeCountOf(cubicForm),
-        ThirdOrderIndexOf(cubicForm), std::vector<Id>(patch.begin(), patch.end()) });
+    umbilics.push_back(MakeUmbilic(
+      this->Mesh_, this->Field_, home, index, std::vector<Id>(patch.begin(), patch.end())));
     for (const Id s : patch)
     {
       taken[s] = true;

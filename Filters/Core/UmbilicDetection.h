@@ -2,23 +2,11 @@
 #ifndef ridges_UmbilicDetection_h
 #define ridges_UmbilicDetection_h
 
-#include "AcuteRule.h"
-#include "SymmetricTensor.h"
+#include "Umbilic.h"
 #include "UmbilicPatch.h"
 
 namespace ridges
 {
-
-/// A point where k1 = k2, and the patch of triangles that stands for its neighbourhood.
-struct Umbilic
-{
-  Id triangle; ///< The singular triangle where it lies: a ridge's end, see MarchingTriangles.h.
-  Eigen::Vector3d position;
-  double index;        ///< +1/2 or -1/2: turns of d1 around it.
-  int ridgeCount;      ///< Ridges of each colour that meet there: 1 or 3.
-  int thirdOrderIndex; ///< Sign of S (section 8.2): the sign of the index, from third order.
-  std::vector<Id> patch;
-};
 
 /// The value of k1 - k2 that a triangle is judged by: the mean of those at its corners.
 double TriangleGap(const TriangleMesh& mesh, const MongeField& field, Id triangle);
@@ -35,20 +23,6 @@ bool MinimizesGapInOneRing(const TriangleMesh& mesh, const MongeField& field, Id
  */
 double ContourIndex(
   const MongeField& field, const std::vector<Id>& contour, const Eigen::Vector3d& normal);
-
-/**
- * The cubic form b0 x^3 + 3 b1 x^2 y + 3 b2 x y^2 + b3 y^3 of a triangle: the mean over its
- * corners, each turned into one frame of the triangle's plane first. (Near an umbilic the principal
- * frames of neighbours differ by any angle, so that a mean of their coefficients means nothing.)
- */
-SymmetricTensor<3> TriangleCubicForm(
-  const TriangleMesh& mesh, const MongeField& field, Id triangle);
-
-/// The number of real roots of the cubic form, as directions: 1 or 3.
-int RidgeCountOf(const SymmetricTensor<3>& cubicForm);
-
-/// Sign of S = (b0 - b2) b2 - b1 (b1 - b3), section 8.2.
-int ThirdOrderIndexOf(const SymmetricTensor<3>& cubicForm);
 
 /**
  * The umbilics of a mesh after section 8: triangles that minimise k1 - k2 over their patch and on

@@ -17,6 +17,11 @@ UmbilicPatch::UmbilicPatch(const TriangleMesh& mesh)
 
 Span<Id> UmbilicPatch::Grow(Id triangle, double size)
 {
+  return this->GrowTo(triangle, size * this->OneRingGrade(triangle));
+}
+
+Span<Id> UmbilicPatch::GrowTo(Id triangle, double threshold)
+{
   if (++this->Stamp_ == 0)
   {
     std::fill(this->TriangleStamps_.begin(), this->TriangleStamps_.end(), 0);
@@ -25,18 +30,22 @@ Span<Id> UmbilicPatch::Grow(Id triangle, double size)
   }
   this->Patch_.clear();
   this->Queue_.clear();
+  this->Thresholds_.clear();
   this->Center_ = this->Mesh_.Centroid(triangle);
-  const double threshold = size * this->OneRingGrade(triangle);
 
+  double reached = 0.0;
+  this->Thresholds_.push_back(reached);
   this->Add(triangle);
   while (!this->Queue_.empty() && this->Queue_.front().grade <= threshold)
   {
     const Id nearest = this->Queue_.front().triangle;
+    reached = std::max(reached, this->Queue_.front().grade);
     std::pop_heap(this->Queue_.begin(), this->Queue_.end());
     this->Queue_.pop_back();
     // A triangle refused now comes back when another of its neighbours has joined.
     if (!this->Contains(nearest) && this->StaysDisk(nearest))
     {
+      this->Thresholds_.push_back(reached);
       this->Add(nearest);
     }
   }
@@ -45,12 +54,13 @@ Span<Id> UmbilicPatch::Grow(Id triangle, double size)
 
 double UmbilicPatch::OneRingGrade(Id triangle) const
 {
+  const Eigen::Vector3d center = this->Mesh_.Centroid(triangle);
   double squared = 0.0;
   for (const Id corner : this->Mesh_.Corners(triangle))
   {
     for (const Id t : this->Mesh_.TrianglesAround(corner))
     {
-      squared = std::max(squared, (this->Mesh_.Centroid(t) - this->Center_).squaredNorm());
+      squared = std::max(squared, (this->Mesh_.Centroid(t) - center).squaredNorm());
     }
   }
   return std::sqrt(squared);

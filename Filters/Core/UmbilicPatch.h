@@ -26,6 +26,16 @@ public:
    */
   Span<Id> Grow(Id triangle, double size);
 
+  /// The same with a threshold in the unit of the points.
+  Span<Id> GrowTo(Id triangle, double threshold);
+
+  /// The greatest distance of a centroid in the one-ring, the unit of size.
+  double OneRingGrade(Id triangle) const;
+
+  /// For each triangle of the last patch the least threshold with which it is in the patch: a
+  /// growing sequence, so that every beginning of the patch is a patch.
+  const std::vector<double>& Thresholds() const { return this->Thresholds_; }
+
   bool Contains(Id triangle) const { return this->TriangleStamps_[triangle] == this->Stamp_; }
 
   /// The corners along the border of the last patch, in its orientation, each once.
@@ -43,7 +53,6 @@ private:
     }
   };
 
-  double OneRingGrade(Id triangle) const;
   bool StaysDisk(Id triangle) const;
   void Add(Id triangle);
 
@@ -52,6 +61,7 @@ private:
   std::vector<std::uint32_t> PointStamps_;
   std::uint32_t Stamp_ = 0;
   std::vector<Id> Patch_;
+  std::vector<double> Thresholds_;
   std::vector<Candidate> Queue_; ///< A heap, the nearest first.
   Eigen::Vector3d Center_;
 };

@@ -10,6 +10,7 @@
 #include "TestFields.h"
 
 #include "RidgeAssembly.h"
+#include "UmbilicForm.h"
 
 #include <algorithm>
 #include <map>
@@ -80,8 +81,9 @@ inline std::vector<RidgePoint> PointsOf(
   {
     if (Ridge::IsUmbilic(ridge.nodes[i]))
     {
-      points[i] =
-        RidgePointAtUmbilic(mesh, field, Ridge::TriangleOfUmbilic(ridge.nodes[i]), points[next]);
+      const Id triangle = Ridge::TriangleOfUmbilic(ridge.nodes[i]);
+      points[i] = RidgePointAtUmbilic(
+        mesh, field, triangle, UmbilicInTriangle(mesh, field, triangle), points[next]);
     }
   };
   placeUmbilic(0, 1);

@@ -114,35 +114,6 @@ void CheckRidges(const TriangleMesh& mesh, const MongeField& field,
   }
 }
 
-// The runs cover the ridge in order, are uniform, and differ from the next; a loop starts where one
-// does, unless it is all one.
-void CheckRuns(
-  const Ridge& ridge, const std::vector<RidgeRun>& runs, const std::vector<RidgeSegment>& segments)
-{
-  const auto kind = [&](Id i)
-  {
-    const RidgeSegment& segment = segments[ridge.segments[i]];
-    return std::make_pair(segment.type, segment.crest);
-  };
-  Id next = 0;
-  for (std::size_t r = 0; r < runs.size(); ++r)
-  {
-    ASSERT_EQ(runs[r].first, next);
-    ASSERT_GT(runs[r].last, runs[r].first);
-    for (Id i = runs[r].first; i < runs[r].last; ++i)
-    {
-      ASSERT_EQ(kind(i), kind(runs[r].first));
-    }
-    const std::size_t after = r + 1 < runs.size() ? r + 1 : 0;
-    if (runs.size() > 1 && (after > 0 || ridge.closed))
-    {
-      ASSERT_NE(kind(runs[r].first), kind(runs[after].first));
-    }
-    next = runs[r].last;
-  }
-  ASSERT_EQ(next, static_cast<Id>(ridge.segments.size()));
-}
-
 // The ridges of the ellipsoid by type, with their distances to the coordinate planes.
 struct EllipsoidCount
 {
@@ -167,13 +138,16 @@ EllipsoidCount ExtractEllipsoid(int frequency)
   for (const Color color : { Color::Blue, Color::Red })
   {
     const auto segments = MarchMesh(ellipsoid.Triangles(), field, color, TypeRule::FourthOrder);
-    for (Ridge& ridge : AssembleRidges(ellipsoid.Triangles(), segments))
+    for (const Ridge& ridge : AssembleRidges(ellipsoid.Triangles(), segments))
     {
       // By its middle: a run near an umbilic with a wrong sign of P does not make another ridge.
       const RidgeType type = segments[ridge.segments[ridge.segments.size() / 2]].type;
       if (ridge.closed)
       {
-        EXPECT_EQ(SplitByType(ridge, segments).size(), 1u);
+        for (const Id segment : ridge.segments)
+        {
+          EXPECT_EQ(segments[segment].type, type);
+        }
       }
       else
       {
@@ -242,36 +216,6 @@ TEST(RidgeAssembly, OfNoSegmentsIsEmpty)
 {
   const MeshedSurface surface(Icosphere(2));
   EXPECT_TRUE(AssembleRidges(surface.Triangles(), {}).empty());
-}
-
-//------------------------------------------------------------------------------
-TEST(RidgeAssembly, SplitsIntoUniformRuns)
-{
-  const MeshedSurface surface(TorusMesh(2.0, 0.7, 41, 21));
-  int turnedLoops = 0;
-  for (std::uint64_t seed = 1; seed <= 5; ++seed)
-  {
-    FieldArrays arrays = RandomField(surface.Triangles(), seed);
-    for (std::size_t i = 0; i < arrays.d1.size(); ++i)
-    {
-      arrays.d1[i] = i % 3 == 0 ? 1.0 : 0.0;
-    }
-    const auto segments =
-      MarchMesh(surface.Triangles(), arrays.View(), Color::Blue, TypeRule::FourthOrder);
-    auto ridges = AssembleRidges(surface.Triangles(), segments);
-    const auto before = ridges;
-    for (std::size_t r = 0; r < ridges.size(); ++r)
-    {
-      const auto runs = SplitByType(ridges[r], segments);
-      CheckRuns(ridges[r], runs, segments);
-      turnedLoops += ridges[r].segments != before[r].segments ? 1 : 0;
-      EXPECT_EQ(ridges[r].closed, before[r].closed);
-    }
-    Tally tally;
-    CheckRidges(surface.Triangles(), arrays.View(), segments, ridges, tally);
-    EXPECT_GT(tally.loops, 10);
-  }
-  EXPECT_GT(turnedLoops, 0);
 }
 
 //------------------------------------------------------------------------------

@@ -200,8 +200,8 @@ TEST(UmbilicDetection, CubicFormOfATriangleDoesNotDependOnTheSignsOfFrames)
   }
   for (Id t = 0; t < mesh.NumberOfTriangles(); ++t)
   {
-    const SymmetricTensor<3> f = TriangleCubicForm(mesh, before.View(), t);
-    const SymmetricTensor<3> g = TriangleCubicForm(mesh, after.View(), t);
+    const SymmetricTensor<3> f = CubicFormAt(mesh, before.View(), t, Vector3d::Constant(1.0 / 3.0));
+    const SymmetricTensor<3> g = CubicFormAt(mesh, after.View(), t, Vector3d::Constant(1.0 / 3.0));
     for (int i = 0; i < 4; ++i)
     {
       EXPECT_NEAR(f[i], g[i], 1e-13); // Round-off on values of up to 5.

@@ -1,0 +1,258 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "DirectionIndex.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+
+namespace ridges
+{
+namespace
+{
+
+constexpr double Pi = 3.14159265358979323846;
+
+int CornerOf(const Triangle& corners, Id point)
+{
+  return corners[0] == point ? 0 : (corners[1] == point ? 1 : 2);
+}
+
+} // namespace
+
+DirectionIndex::DirectionIndex(
+  const TriangleMesh& mesh, const MongeField& field, const std::uint8_t* usable)
+  : Mesh_(mesh)
+  , Field_(field)
+  , Usable_(usable)
+{
+}
+
+bool DirectionIndex::IsUsable(Id triangle) const
+{
+  const Triangle& corners = this->Mesh_.Corners(triangle);
+  return !this->Usable_ ||
+    std::all_of(corners.begin(), corners.end(), [this](Id p) { return this->Usable_[p] != 0; });
+}
+
+bool DirectionIndex::IsTame(Id point) const
+{
+  const Eigen::Vector3d n = this->Field_.D1(point).cross(this->Field_.D2(point));
+  int sides = 0;
+  for (const Id t : this->Mesh_.TrianglesAround(point))
+  {
+    const Eigen::Vector3d normal = this->Mesh_.AreaNormal(t);
+    const double along = n.dot(normal);
+    if (!(along * along > 0.25 * normal.squaredNorm()))
+    {
+      return false;
+    }
+    sides |= along > 0.0 ? 1 : 2;
+  }
+  return sides != 3;
+}
+
+bool DirectionIndex::MayTurn(Id triangle, const std::vector<std::uint8_t>& isTame) const
+{
+  // Two half turns need 120 degrees on some edge, of which what tame points leave open can be but
+  // a part.
+  constexpr double cosineOfTurn = 0.5;
+  const Triangle& c = this->Mesh_.Corners(triangle);
+  bool singular = false;
+  for (int i = 0; i < 3; ++i)
+  {
+    const double cosine = this->Field_.D1(c[i]).dot(this->Field_.D1(c[(i + 1) % 3]));
+    if (!(std::abs(cosine) > cosineOfTurn) || !isTame[c[i]])
+    {
+      return true;
+    }
+    singular = singular != (cosine < 0.0);
+  }
+  return singular;
+}
+
+Id DirectionIndex::NextInFan(Id triangle, int corner, int& cornerOfNext) const
+{
+  const Triangle& corners = this->Mesh_.Corners(triangle);
+  const Id next = this->Mesh_.Neighbor(triangle, (corner + 2) % 3);
+  if (next < 0)
+  {
+    return next;
+  }
+  cornerOfNext = CornerOf(this->Mesh_.Corners(next), corners[corner]);
+  // Where the orientation changes a fan ends, as it does on the border.
+  const bool sameSense =
+    this->Mesh_.Corners(next)[(cornerOfNext + 1) % 3] == corners[(corner + 2) % 3];
+  return sameSense ? next : TriangleMesh::Border;
+}
+
+Id DirectionIndex::PreviousInFan(Id triangle, int corner, int& cornerOfPrevious) const
+{
+  const Triangle& corners = this->Mesh_.Corners(triangle);
+  const Id previous = this->Mesh_.Neighbor(triangle, corner);
+  if (previous < 0)
+  {
+    return previous;
+  }
+  cornerOfPrevious = CornerOf(this->Mesh_.Corners(previous), corners[corner]);
+  const bool sameSense =
+    this->Mesh_.Corners(previous)[(cornerOfPrevious + 2) % 3] == corners[(corner + 1) % 3];
+  return sameSense ? previous : TriangleMesh::Border;
+}
+
+double DirectionIndex::Angle(Id triangle, int corner) const
+{
+  const Triangle& corners = this->Mesh_.Corners(triangle);
+  const Eigen::Vector3d a =
+    this->Mesh_.Point(corners[(corner + 1) % 3]) - this->Mesh_.Point(corners[corner]);
+  const Eigen::Vector3d b =
+    this->Mesh_.Point(corners[(corner + 2) % 3]) - this->Mesh_.Point(corners[corner]);
+  return std::atan2(a.cross(b).norm(), a.dot(b));
+}
+
+// The directions of the edges are known twice, by the stretched angles between them and by their
+// projection on the tangent plane: the angle of d1 is that at which both agree best.
+DirectionIndex::Fan DirectionIndex::FanAt(Id triangle, int corner) const
+{
+  const Id p = this->Mesh_.Corners(triangle)[corner];
+
+  Id first = triangle;
+  int cornerOfFirst = corner;
+  bool closed = false;
+  double before = 0.0; ///< Angle from the first edge of an open fan to that asked for.
+  for (;;)
+  {
+    int cornerOfPrevious = 0;
+    const Id previous = this->PreviousInFan(first, cornerOfFirst, cornerOfPrevious);
+    if (previous < 0)
+    {
+      break;
+    }
+    first = previous;
+    cornerOfFirst = cornerOfPrevious;
+    if (previous == triangle)
+    {
+      closed = true;
+      break;
+    }
+    before += this->Angle(first, cornerOfFirst);
+  }
+  if (closed)
+  {
+    before = 0.0;
+  }
+
+  double total = 0.0;
+  Eigen::Vector3d normal = Eigen::Vector3d::Zero();
+  Id t = first;
+  int c = cornerOfFirst;
+  do
+  {
+    total += this->Angle(t, c);
+    normal += this->Mesh_.AreaNormal(t);
+    t = this->NextInFan(t, c, c);
+  } while (t >= 0 && t != first);
+
+  Fan fan;
+  fan.stretch = closed && total > 0.0 ? 2.0 * Pi / total : 1.0;
+
+  const Eigen::Vector3d d1 = this->Field_.D1(p);
+  const Eigen::Vector3d d2 = this->Field_.D2(p);
+  const double side = d1.cross(d2).dot(normal) >= 0.0 ? 1.0 : -1.0;
+  std::complex<double> sum = 0.0;
+  double alpha = -before;
+  const auto add = [&](Id end)
+  {
+    const Eigen::Vector3d edge = this->Mesh_.Point(end) - this->Mesh_.Point(p);
+    const double beta = std::atan2(side * edge.dot(d2), edge.dot(d1));
+    sum += std::polar(1.0, fan.stretch * alpha - beta);
+  };
+  t = first;
+  c = cornerOfFirst;
+  do
+  {
+    const Triangle& corners = this->Mesh_.Corners(t);
+    add(corners[(c + 1) % 3]);
+    alpha += this->Angle(t, c);
+    const Id next = this->NextInFan(t, c, c);
+    if (next < 0)
+    {
+      add(corners[(CornerOf(corners, p) + 2) % 3]);
+    }
+    t = next;
+  } while (t >= 0 && t != first);
+  fan.angle = std::arg(sum);
+  return fan;
+}
+
+double DirectionIndex::TurnWithin(Id triangle, int side) const
+{
+  const Triangle& corners = this->Mesh_.Corners(triangle);
+  const int end = (side + 1) % 3;
+  if (this->Usable_ && !(this->Usable_[corners[side]] && this->Usable_[corners[end]]))
+  {
+    return 0.0;
+  }
+  const Fan fanAtP = this->FanAt(triangle, side);
+  const Fan fanAtQ = this->FanAt(triangle, end);
+  // Of d1 at q from the edge back to p, and of that at p carried to q.
+  const double atQ = fanAtQ.angle - fanAtQ.stretch * this->Angle(triangle, end);
+  const double carried = fanAtP.angle + Pi;
+  const double flip = AcuteSign(this->Field_, corners[side], corners[end]) > 0 ? 0.0 : Pi;
+  return std::remainder(atQ + flip - carried, 2.0 * Pi);
+}
+
+double DirectionIndex::Turn(Id triangle, int side) const
+{
+  // An edge has one turn, computed in one of its triangles for both.
+  const Edge& edge = this->Mesh_.EdgeAt(this->Mesh_.EdgeOf(triangle, side));
+  const Triangle& corners = this->Mesh_.Corners(triangle);
+  if (edge.t1 >= 0 && edge.t0 != triangle)
+  {
+    const Triangle& other = this->Mesh_.Corners(edge.t0);
+    const int sideInOther = CornerOf(other, corners[(side + 1) % 3]);
+    if (other[(sideInOther + 1) % 3] == corners[side])
+    {
+      return -this->TurnWithin(edge.t0, sideInOther);
+    }
+  }
+  return this->TurnWithin(triangle, side);
+}
+
+double DirectionIndex::Excess(Id triangle) const
+{
+  double sum = -Pi;
+  for (int corner = 0; corner < 3; ++corner)
+  {
+    sum += this->FanAt(triangle, corner).stretch * this->Angle(triangle, corner);
+  }
+  return sum;
+}
+
+int DirectionIndex::HalfTurns(Id triangle) const
+{
+  double turned = this->Excess(triangle);
+  for (int side = 0; side < 3; ++side)
+  {
+    turned += this->Turn(triangle, side);
+  }
+  return static_cast<int>(std::lround(turned / Pi));
+}
+
+int DirectionIndex::HalfTurns(const std::vector<Id>& region) const
+{
+  // Edges inside count in both senses, for nothing.
+  double turned = 0.0;
+  for (const Id t : region)
+  {
+    turned += this->Excess(t);
+    for (int side = 0; side < 3; ++side)
+    {
+      turned += this->Turn(t, side);
+    }
+  }
+  return static_cast<int>(std::lround(turned / Pi));
+}
+
+} // namespace ridges

@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PairCancellation.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <limits>
+#include <queue>
+#include <tuple>
+
+namespace ridges
+{
+namespace
+{
+
+constexpr Id None = -1;
+
+/// Where the ways from two umbilics meet: in neighbouring triangles.
+struct Meeting
+{
+  double length; ///< Of the whole way from one umbilic to the other.
+  Id charge0;
+  Id charge1;
+  Id triangle0;
+  Id triangle1;
+
+  bool operator<(const Meeting& other) const
+  {
+    return std::tie(length, charge0, charge1) <
+      std::tie(other.length, other.charge0, other.charge1);
+  }
+};
+
+/// Shortest ways from all umbilics at once over weak triangles, each triangle for the nearest.
+class Ways
+{
+public:
+  Ways(const TriangleMesh& mesh, const std::vector<IndexCharge>& charges,
+    const std::vector<std::uint8_t>& isWeak)
+    : Mesh_(mesh)
+    , Charges_(charges)
+    , IsOpen_(isWeak)
+    , IsActive_(charges.size(), 0)
+    , Nodes_(mesh.NumberOfTriangles())
+  {
+    for (std::size_t i = 0; i < charges.size(); ++i)
+    {
+      this->IsActive_[i] = std::abs(charges[i].halfTurns) == 1 ? 1 : 0;
+      this->IsOpen_[charges[i].triangle] = this->IsActive_[i];
+    }
+  }
+
+  bool IsActive(Id charge) const { return this->IsActive_[charge] != 0; }
+
+  /// All meetings of ways from opposite umbilics that are not cancelled yet.
+  std::vector<Meeting> Meet();
+
+  /// Cancels the two umbilics. The way along which they meet joins a region with all that it
+  /// passes through.
+  void Cancel(const Meeting& meeting);
+
+  std::vector<std::vector<Id>> TakeRegions();
+
+private:
+  struct Node
+  {
+    double distance = std::numeric_limits<double>::max();
+    Id charge = None;
+    Id previous = None;
+    Id region = None;
+  };
+  struct Arrival
+  {
+    double distance;
+    Id charge;
+    Id triangle;
+    Id previous;
+
+    bool operator<(const Arrival& other) const
+    {
+      return std::tie(distance, charge) > std::tie(other.distance, other.charge);
+    }
+  };
+
+  void AddWay(Id from, Id region);
+
+  const TriangleMesh& Mesh_;
+  const std::vector<IndexCharge>& Charges_;
+  std::vector<std::uint8_t> IsOpen_;
+  std::vector<std::uint8_t> IsActive_;
+  std::vector<Node> Nodes_;
+  std::vector<Id> Reached_;
+  std::vector<std::vector<Id>> Regions_;
+};
+
+std::vector<Meeting> Ways::Meet()
+{
+  for (const Id t : this->Reached_)
+  {
+    this->Nodes_[t].charge = None;
+  }
+  this->Reached_.clear();
+
+  std::priority_queue<Arrival> arrivals;
+  for (Id i = 0; i < static_cast<Id>(this->Charges_.size()); ++i)
+  {
+    if (this->IsActive(i))
+    {
+      arrivals.push({ 0.0, i, this->Charges_[i].triangle, None });
+    }
+  }
+  std::vector<Meeting> meetings;
+  while (!arrivals.empty())
+  {
+    const Arrival arrival = arrivals.top();
+    arrivals.pop();
+    Node& node = this->Nodes_[arrival.triangle];
+    if (node.charge != None)
+    {
+      continue;
+    }
+    node.distance = arrival.distance;
+    node.charge = arrival.charge;
+    node.previous = arrival.previous;
+    this->Reached_.push_back(arrival.triangle);
+    const Eigen::Vector3d center = this->Mesh_.Centroid(arrival.triangle);
+    for (int side = 0; side < 3; ++side)
+    {
+      const Id next = this->Mesh_.Neighbor(arrival.triangle, side);
+      if (next < 0 || !this->IsOpen_[next])
+      {
+        continue;
+      }
+      const double distance = arrival.distance + (this->Mesh_.Centroid(next) - center).norm();
+      const Node& other = this->Nodes_[next];
+      if (other.charge == None)
+      {
+        arrivals.push({ distance, arrival.charge, next, arrival.triangle });
+      }
+      else if (this->Charges_[other.charge].halfTurns != this->Charges_[arrival.charge].halfTurns)
+      {
+        meetings.push_back({ distance + other.distance, std::min(arrival.charge, other.charge),
+          std::max(arrival.charge, other.charge), arrival.triangle, next });
+      }
+    }
+  }
+  std::sort(meetings.begin(), meetings.end());
+  return meetings;
+}
+
+void Ways::AddWay(Id from, Id region)
+{
+  std::vector<Id>& triangles = this->Regions_[region];
+  for (Id t = from; t != None; t = this->Nodes_[t].previous)
+  {
+    const Id old = this->Nodes_[t].region;
+    if (old == None)
+    {
+      this->Nodes_[t].region = region;
+      triangles.push_back(t);
+    }
+    else if (old != region)
+    {
+      for (const Id s : this->Regions_[old])
+      {
+        this->Nodes_[s].region = region;
+      }
+      triangles.insert(
+        triangles.end(), this->Regions_[old].begin(), this->Regions_[old].end());
+      this->Regions_[old].clear();
+    }
+  }
+}
+
+void Ways::Cancel(const Meeting& meeting)
+{
+  const Id region = static_cast<Id>(this->Regions_.size());
+  this->Regions_.emplace_back();
+  this->AddWay(meeting.triangle0, region);
+  this->AddWay(meeting.triangle1, region);
+  this->IsActive_[meeting.charge0] = 0;
+  this->IsActive_[meeting.charge1] = 0;
+}
+
+std::vector<std::vector<Id>> Ways::TakeRegions()
+{
+  const auto isEmpty = [](const std::vector<Id>& region) { return region.empty(); };
+  this->Regions_.erase(
+    std::remove_if(this->Regions_.begin(), this->Regions_.end(), isEmpty), this->Regions_.end());
+  return std::move(this->Regions_);
+}
+
+} // namespace
+
+Cancellation CancelPairs(const TriangleMesh& mesh, std::vector<IndexCharge> charges,
+  const std::vector<std::uint8_t>& isWeak)
+{
+  SortByPosition(mesh, charges);
+  Cancellation result;
+  Ways ways(mesh, charges, isWeak);
+  for (bool found = true; found;)
+  {
+    found = false;
+    for (const Meeting& meeting : ways.Meet())
+    {
+      // Those that meet an umbilic already gone look for another in the next round.
+      if (ways.IsActive(meeting.charge0) && ways.IsActive(meeting.charge1))
+      {
+        ways.Cancel(meeting);
+        found = true;
+      }
+    }
+  }
+  result.regions = ways.TakeRegions();
+  for (Id i = 0; i < static_cast<Id>(charges.size()); ++i)
+  {
+    if (std::abs(charges[i].halfTurns) != 1 || ways.IsActive(i))
+    {
+      result.kept.push_back(charges[i]);
+    }
+  }
+  return result;
+}
+
+} // namespace ridges

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PatchPaths.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+
+namespace ridges
+{
+
+PatchPaths::PatchPaths(const TriangleMesh& mesh, const PatchContour& contour)
+  : Mesh_(mesh)
+  , Contour_(contour)
+  , Depth_(contour.Sides().size(), 0)
+{
+}
+
+std::vector<std::vector<EdgeCrossing>> PatchPaths::ToPoint(const std::vector<std::size_t>& sides,
+  const std::vector<Eigen::Vector3d>& points, Id target, const Eigen::Vector3d& position)
+{
+  std::vector<std::vector<EdgeCrossing>> paths(sides.size());
+  bool straight = true;
+  for (std::size_t i = 0; i < sides.size(); ++i)
+  {
+    straight = straight && this->Straight(sides[i], points[i], target, position, paths[i]);
+  }
+  for (std::size_t i = 0; i < sides.size() && !straight; ++i)
+  {
+    paths[i] = this->OverFewest(sides[i], target,
+      (static_cast<double>(i) + 1.0) / (static_cast<double>(sides.size()) + 1.0));
+  }
+  for (const auto& path : paths)
+  {
+    for (const EdgeCrossing& crossing : path)
+    {
+      auto inserted = this->Taken_.insert({ crossing.edge, { 1.0, 0.0 } });
+      auto& range = inserted.first->second;
+      range.least = std::min(range.least, crossing.parameter);
+      range.greatest = std::max(range.greatest, crossing.parameter);
+    }
+  }
+  return paths;
+}
+
+bool PatchPaths::Straight(std::size_t side, const Eigen::Vector3d& from, Id target,
+  const Eigen::Vector3d& position, std::vector<EdgeCrossing>& path) const
+{
+  // Which side of the line through both, seen along the normal of the target.
+  const Eigen::Vector3d normal = this->Mesh_.AreaNormal(target);
+  const Eigen::Vector3d across = normal.cross(position - from);
+  const auto offset = [&](Id p) { return across.dot(this->Mesh_.Point(p) - from); };
+
+  // The crossing stays off the corners, so that the paths along the contour find room there.
+  constexpr double margin = 1e-3;
+  Id triangle = this->Contour_.Sides()[side].triangle;
+  Id edge = this->Contour_.Sides()[side].edge;
+  path.clear();
+  for (std::size_t steps = 0; triangle != target; ++steps)
+  {
+    const Edge& entry = this->Mesh_.EdgeAt(edge);
+    const Triangle& corners = this->Mesh_.Corners(triangle);
+    const int apex = corners[0] != entry.v0 && corners[0] != entry.v1
+      ? 0
+      : (corners[1] != entry.v0 && corners[1] != entry.v1 ? 1 : 2);
+    const double atApex = offset(corners[apex]);
+    const bool leavesAfter = (offset(corners[(apex + 1) % 3]) > 0.0) != (atApex > 0.0);
+    const bool leavesBefore = (offset(corners[(apex + 2) % 3]) > 0.0) != (atApex > 0.0);
+    if (leavesAfter == leavesBefore || steps > this->Depth_.size() + 100)
+    {
+      return false;
+    }
+    edge = this->Mesh_.EdgeOf(triangle, leavesAfter ? apex : (apex + 2) % 3);
+    const Edge& exit = this->Mesh_.EdgeAt(edge);
+    const double at0 = offset(exit.v0);
+    const double at1 = offset(exit.v1);
+    path.push_back({ edge, std::min(1.0 - margin, std::max(margin, at0 / (at0 - at1))) });
+    triangle = this->Contour_.Across(triangle, edge);
+    if (triangle < 0)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+std::vector<EdgeCrossing> PatchPaths::OverFewest(
+  std::size_t side, Id target, double fraction) const
+{
+  // From the target, so that the ways of different sides run together once they meet.
+  std::vector<Id> reached{ target };
+  std::unordered_map<Id, std::pair<Id, Id>> towards{ { target, { -1, -1 } } };
+  const Id start = this->Contour_.Sides()[side].triangle;
+  for (std::size_t i = 0; i < reached.size() && towards.count(start) == 0; ++i)
+  {
+    for (int j = 0; j < 3; ++j)
+    {
+      const Id edge = this->Mesh_.EdgeOf(reached[i], j);
+      const Id next = this->Contour_.Across(reached[i], edge);
+      if (next >= 0 && towards.insert({ next, { reached[i], edge } }).second)
+      {
+        reached.push_back(next);
+      }
+    }
+  }
+  std::vector<EdgeCrossing> path;
+  for (Id t = start; t != target;)
+  {
+    const auto& way = towards.at(t);
+    // In the order of the contour: the side of an edge that it leaves to the right comes first.
+    const Triangle& corners = this->Mesh_.Corners(t);
+    const Edge& edge = this->Mesh_.EdgeAt(way.second);
+    const int corner = corners[0] == edge.v0 ? 0 : (corners[1] == edge.v0 ? 1 : 2);
+    const bool forward = corners[(corner + 1) % 3] == edge.v1;
+    path.push_back({ way.second, forward ? 1.0 - fraction : fraction });
+    t = way.first;
+  }
+  return path;
+}
+
+std::vector<EdgeCrossing> PatchPaths::AlongContour(std::size_t first, std::size_t last)
+{
+  const auto& sides = this->Contour_.Sides();
+  const auto next = [&sides](std::size_t i) { return (i + 1) % sides.size(); };
+  int depth = 0;
+  for (std::size_t i = first; i != last; i = next(i))
+  {
+    depth = std::max(depth, this->Depth_[i] + 1);
+  }
+  std::vector<EdgeCrossing> path;
+  for (std::size_t i = first; i != last; i = next(i))
+  {
+    this->Depth_[i] = depth;
+    for (const Id edge : sides[i].spokes)
+    {
+      // At most half of what is free: there may be as many paths around the other end.
+      const bool fromV0 = this->Mesh_.EdgeAt(edge).v0 == sides[i].end;
+      const auto taken = this->Taken_.find(edge);
+      const double room = taken == this->Taken_.end()
+        ? 0.5
+        : std::min(0.5, fromV0 ? taken->second.least : 1.0 - taken->second.greatest);
+      const double fraction = room * depth / (depth + 1.0);
+      path.push_back({ edge, fromV0 ? fraction : 1.0 - fraction });
+    }
+  }
+  return path;
+}
+
+} // namespace ridges

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkRidgesUmbilicOutput.h"
+
+#include "vtkRidgesArrayNames.h"
+#include "vtkRidgesMesh.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkIdTypeArray.h"
+#include "vtkIntArray.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+
+namespace names = vtkRidgesArrayNames;
+
+namespace
+{
+
+template <typename Array>
+vtkNew<Array> MakeArray(const char* name, int components = 1)
+{
+  vtkNew<Array> array;
+  array->SetName(name);
+  array->SetNumberOfComponents(components);
+  return array;
+}
+
+/// A cell array of the number of the region that a cell is in, -1 outside.
+vtkNew<vtkIdTypeArray> MakeRegionArray(const char* name, const vtkRidgesMesh& mesh,
+  vtkIdType numberOfCells, const std::vector<std::vector<ridges::Id>>& regions)
+{
+  auto array = MakeArray<vtkIdTypeArray>(name);
+  array->SetNumberOfTuples(numberOfCells);
+  array->Fill(-1);
+  for (std::size_t i = 0; i < regions.size(); ++i)
+  {
+    for (const ridges::Id t : regions[i])
+    {
+      array->SetValue(mesh.GetCellId(t), static_cast<vtkIdType>(i));
+    }
+  }
+  return array;
+}
+
+} // namespace
+
+void vtkRidgesUmbilicOutput::MarkOnMesh(const vtkRidgesMesh& mesh, vtkPolyData* output) const
+{
+  output->ShallowCopy(mesh.GetPolyData());
+
+  std::vector<std::vector<ridges::Id>> patches;
+  auto position = MakeArray<vtkDoubleArray>(names::UmbilicPosition, 3);
+  auto index = MakeArray<vtkDoubleArray>(names::UmbilicIndex);
+  auto ridgeCount = MakeArray<vtkIntArray>(names::UmbilicRidgeCount);
+  double indexSum = 0.0;
+  auto triangle = MakeArray<vtkIdTypeArray>(names::UmbilicTriangle);
+  for (const ridges::Umbilic& umbilic : this->umbilics)
+  {
+    patches.push_back(umbilic.patch);
+    triangle->InsertNextValue(mesh.GetCellId(umbilic.triangle));
+    position->InsertNextTuple(umbilic.position.data());
+    index->InsertNextValue(umbilic.index);
+    ridgeCount->InsertNextValue(umbilic.ridgeCount);
+    indexSum += umbilic.index;
+  }
+  auto sum = MakeArray<vtkDoubleArray>(names::UmbilicIndexSum);
+  sum->InsertNextValue(indexSum);
+  auto euler = MakeArray<vtkIntArray>(names::EulerCharacteristic);
+  euler->InsertNextValue(mesh.GetTriangles().EulerCharacteristic());
+
+  auto numberOfCancelled = MakeArray<vtkIntArray>(names::NumberOfCancelledRegions);
+  numberOfCancelled->InsertNextValue(static_cast<int>(this->cancelled.size()));
+  auto numberOfZones = MakeArray<vtkIntArray>(names::NumberOfUmbilicZones);
+  numberOfZones->InsertNextValue(static_cast<int>(this->zones.size()));
+
+  const vtkIdType numberOfCells = output->GetNumberOfCells();
+  vtkCellData* cellData = output->GetCellData();
+  cellData->AddArray(MakeRegionArray(names::UmbilicPatch, mesh, numberOfCells, patches));
+  cellData->AddArray(
+    MakeRegionArray(names::CancelledUmbilics, mesh, numberOfCells, this->cancelled));
+  cellData->AddArray(MakeRegionArray(names::UmbilicZone, mesh, numberOfCells, this->zones));
+  // The field data is still the input's own, which is not ours to change.
+  vtkNew<vtkFieldData> field;
+  field->ShallowCopy(output->GetFieldData());
+  for (vtkAbstractArray* array : { static_cast<vtkAbstractArray*>(position),
+         static_cast<vtkAbstractArray*>(index), static_cast<vtkAbstractArray*>(ridgeCount),
+         static_cast<vtkAbstractArray*>(triangle), static_cast<vtkAbstractArray*>(sum),
+         static_cast<vtkAbstractArray*>(euler), static_cast<vtkAbstractArray*>(numberOfCancelled),
+         static_cast<vtkAbstractArray*>(numberOfZones) })
+  {
+    field->AddArray(array);
+  }
+  output->SetFieldData(field);
+}
+
+void vtkRidgesUmbilicOutput::StoreVertices(const vtkRidgesMesh& mesh, vtkPolyData* output) const
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> vertices;
+  auto id = MakeArray<vtkIdTypeArray>(names::UmbilicId);
+  auto index = MakeArray<vtkDoubleArray>(names::Index);
+  auto ridgeCount = MakeArray<vtkIntArray>(names::RidgeCount);
+  auto thirdOrderIndex = MakeArray<vtkIntArray>(names::ThirdOrderIndex);
+  auto triangle = MakeArray<vtkIdTypeArray>(names::Triangle);
+  auto pattern = MakeArray<vtkIntArray>(names::Pattern);
+  auto touchesBorder = MakeArray<vtkIntArray>(names::TouchesBorder);
+  for (const ridges::Umbilic& umbilic : this->umbilics)
+  {
+    const vtkIdType p = points->InsertNextPoint(umbilic.position.data());
+    vertices->InsertNextCell(1, &p);
+    id->InsertNextValue(p);
+    index->InsertNextValue(umbilic.index);
+    ridgeCount->InsertNextValue(umbilic.ridgeCount);
+    thirdOrderIndex->InsertNextValue(umbilic.thirdOrderIndex);
+    triangle->InsertNextValue(mesh.GetCellId(umbilic.triangle));
+    pattern->InsertNextValue(static_cast<int>(umbilic.pattern));
+    touchesBorder->InsertNextValue(umbilic.touchesBorder ? 1 : 0);
+  }
+  output->SetPoints(points);
+  output->SetVerts(vertices);
+  vtkPointData* pointData = output->GetPointData();
+  pointData->AddArray(id);
+  pointData->AddArray(index);
+  pointData->AddArray(ridgeCount);
+  pointData->AddArray(thirdOrderIndex);
+  pointData->AddArray(triangle);
+  pointData->AddArray(pattern);
+  pointData->AddArray(touchesBorder);
+  pointData->SetActiveScalars(names::Index);
+}
