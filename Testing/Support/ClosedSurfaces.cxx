@@ -175,9 +175,9 @@ ClosedSurface ClosedSurfaceByName(const std::string& name)
   }
   using Maker = ClosedSurface (*)(std::uint64_t);
   static const std::map<std::string, std::pair<Maker, std::uint64_t>> families = {
-    { "sphere", { PerturbedSphere, 5 } }, { "torus", { BulgedTorus, 23 } },
+    { "sphere", { PerturbedSphere, 14 } }, { "torus", { BulgedTorus, 6 } },
     { "double torus", { BulgedDoubleTorus, 3 } }, { "blob", { Blob, 6 } },
-    { "metaballs", { Metaballs, 16 } }
+    { "metaballs", { Metaballs, 11 } }
   };
   const std::size_t colon = name.find(':');
   const auto found = families.find(name.substr(0, colon));
