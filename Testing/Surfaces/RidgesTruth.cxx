@@ -1,0 +1,305 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Compares the filters, with their default properties, with the exact umbilics and ridges of an
+// analytic surface:
+//
+//   RidgesTruth <surface> [--points 20000] [--patch-size 2] [--seed 0] [--noise 0]
+//               [--reference 150000] [--cache <directory>] [--brief]
+//
+// surface: ellipsoid, blend, sphere, torus, "double torus", blob, metaballs; "blob:7" is another
+//   one of that kind.
+// --seed: other than 0, the mesh is turned, and points and triangles are renumbered, at random.
+// --noise: standard deviation of a displacement along the normals, in edges.
+// --reference: points of the mesh with exact Monge forms that the true ridges are traced on.
+// --cache: where meshes and true ridges are kept for the next run.
+// --brief: one line.
+//
+// Lengths of positions and distances are in edges of the mesh. A ridge is a whole one (RidgeId).
+
+#include "RidgeComparison.h"
+#include "TruthCache.h"
+
+#include "EvenMesh.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkFieldData.h"
+#include "vtkIdList.h"
+#include "vtkJetFitting.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+#include "vtkRidgeExtraction.h"
+#include "vtkSmartPointer.h"
+#include "vtkUmbilicDetection.h"
+
+#include <Eigen/Geometry>
+
+#include <chrono>
+#include <cstdio>
+#include <exception>
+#include <map>
+#include <random>
+#include <stdexcept>
+#include <string>
+
+namespace
+{
+
+using namespace ridges::testing;
+using Eigen::Vector3d;
+
+//------------------------------------------------------------------------------
+struct Options
+{
+  std::string surface;
+  int points = 20000;
+  double patchSize = 2.0;
+  std::uint64_t seed = 0;
+  double noise = 0.0;
+  int reference = 150000;
+  std::string cache;
+  bool brief = false;
+};
+
+//------------------------------------------------------------------------------
+Options ParseOptions(int argc, char** argv)
+{
+  if (argc < 2)
+  {
+    throw std::invalid_argument("usage: RidgesTruth <surface> [options]; see RidgesTruth.cxx");
+  }
+  Options options;
+  options.surface = argv[1];
+  for (int i = 2; i < argc; ++i)
+  {
+    const std::string name = argv[i];
+    if (name == "--brief")
+    {
+      options.brief = true;
+      continue;
+    }
+    if (++i == argc)
+    {
+      throw std::invalid_argument(name + " needs a value");
+    }
+    const std::string value = argv[i];
+    if (name == "--points")
+    {
+      options.points = std::stoi(value);
+    }
+    else if (name == "--patch-size")
+    {
+      options.patchSize = std::stod(value);
+    }
+    else if (name == "--seed")
+    {
+      options.seed = std::stoull(value);
+    }
+    else if (name == "--noise")
+    {
+      options.noise = std::stod(value);
+    }
+    else if (name == "--reference")
+    {
+      options.reference = std::stoi(value);
+    }
+    else if (name == "--cache")
+    {
+      options.cache = value;
+    }
+    else
+    {
+      throw std::invalid_argument("unknown option " + name);
+    }
+  }
+  return options;
+}
+
+//------------------------------------------------------------------------------
+Eigen::Matrix3d RandomRotation(std::uint64_t seed)
+{
+  if (seed == 0)
+  {
+    return Eigen::Matrix3d::Identity();
+  }
+  std::mt19937_64 generator(seed);
+  Eigen::Vector4d q;
+  do
+  {
+    for (double& coordinate : q)
+    {
+      coordinate = 2 * Uniform(generator) - 1;
+    }
+  } while (q.norm() > 1.0 || q.norm() < 0.1);
+  return Eigen::Quaterniond(q).normalized().toRotationMatrix();
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkPolyData> ToPolyData(const Mesh& mesh)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  for (std::size_t p = 0; p < mesh.PointCount(); ++p)
+  {
+    points->InsertNextPoint(mesh.Point(p).data());
+  }
+  vtkNew<vtkCellArray> triangles;
+  for (std::size_t t = 0; t < mesh.TriangleCount(); ++t)
+  {
+    triangles->InsertNextCell(
+      { mesh.triangles[3 * t], mesh.triangles[3 * t + 1], mesh.triangles[3 * t + 2] });
+  }
+  auto data = vtkSmartPointer<vtkPolyData>::New();
+  data->SetPoints(points);
+  data->SetPolys(triangles);
+  return data;
+}
+
+//------------------------------------------------------------------------------
+vtkDataArray* ArrayOf(vtkFieldData* data, const char* name)
+{
+  vtkDataArray* array = data->GetArray(name);
+  if (!array)
+  {
+    throw std::runtime_error(std::string("the filters gave no array ") + name);
+  }
+  return array;
+}
+
+//------------------------------------------------------------------------------
+// What the filters found, turned back into the place of the surface.
+FoundPicture PictureOf(vtkPolyData* umbilics, vtkPolyData* ridges, const Eigen::Matrix3d& rotation)
+{
+  FoundPicture picture;
+  const auto place = [&](vtkPolyData* data, vtkIdType id) -> Vector3d
+  { return rotation.transpose() * Vector3d(data->GetPoint(id)); };
+  for (vtkIdType i = 0; i < umbilics->GetNumberOfPoints(); ++i)
+  {
+    vtkPointData* values = umbilics->GetPointData();
+    picture.umbilics.push_back({ place(umbilics, i), ArrayOf(values, "Index")->GetComponent(i, 0),
+      static_cast<int>(ArrayOf(values, "RidgeCount")->GetComponent(i, 0)) });
+  }
+
+  if (ridges->GetNumberOfLines() == 0)
+  {
+    return picture;
+  }
+  vtkDataArray* type = ArrayOf(ridges->GetCellData(), "RidgeType");
+  vtkDataArray* ridgeId = ArrayOf(ridges->GetCellData(), "RidgeId");
+  vtkDataArray* umbilic = ArrayOf(ridges->GetPointData(), "Umbilic");
+  vtkDataArray* edgePoint = ArrayOf(ridges->GetPointData(), "EdgePoint0");
+  std::map<vtkIdType, FoundRidge> byId;
+  std::map<vtkIdType, std::map<vtkIdType, int>> endsOf; // of polylines, by ridge and point
+  vtkNew<vtkIdList> line;
+  vtkIdType cell = 0;
+  for (ridges->GetLines()->InitTraversal(); ridges->GetLines()->GetNextCell(line); ++cell)
+  {
+    const auto id = static_cast<vtkIdType>(ridgeId->GetComponent(cell, 0));
+    FoundRidge& ridge = byId[id];
+    FoundLine found;
+    found.type = static_cast<int>(type->GetComponent(cell, 0));
+    for (vtkIdType i = 0; i < line->GetNumberOfIds(); ++i)
+    {
+      found.points.push_back(place(ridges, line->GetId(i)));
+    }
+    ridge.lines.push_back(found);
+    ++endsOf[id][line->GetId(0)];
+    ++endsOf[id][line->GetId(line->GetNumberOfIds() - 1)];
+  }
+  for (auto& item : byId)
+  {
+    for (const auto& end : endsOf[item.first])
+    {
+      const vtkIdType point = end.first;
+      const bool isUmbilic =
+        umbilic->GetComponent(point, 0) >= 0.0 || edgePoint->GetComponent(point, 0) < 0.0;
+      const int count = isUmbilic ? end.second : end.second % 2;
+      for (int i = 0; i < count; ++i)
+      {
+        item.second.ends.push_back({ place(ridges, point),
+          isUmbilic ? static_cast<int>(umbilic->GetComponent(point, 0)) : FoundEnd::OnEdge });
+      }
+    }
+    picture.ridges.push_back(item.second);
+  }
+  return picture;
+}
+
+//------------------------------------------------------------------------------
+double Seconds()
+{
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+//------------------------------------------------------------------------------
+void Run(const Options& options)
+{
+  const ClosedSurface closed = ClosedSurfaceByName(options.surface);
+  const TruthCache cache(closed, options.cache);
+  const Mesh inPlace = cache.MeshWith(options.points);
+  const Truth truth = cache.TruthWith(options.reference);
+  const double edge = MeanEdgeLength(inPlace);
+
+  const Eigen::Matrix3d rotation = RandomRotation(options.seed);
+  Mesh mesh = inPlace;
+  if (options.noise > 0.0)
+  {
+    mesh = AddNormalNoise(mesh, options.noise * edge, options.seed + 1);
+  }
+  if (options.seed != 0)
+  {
+    mesh = Permute(Transform(mesh, rotation, Vector3d::Zero()), options.seed);
+  }
+
+  vtkNew<vtkJetFitting> jets;
+  vtkNew<vtkUmbilicDetection> umbilics;
+  vtkNew<vtkRidgeExtraction> ridges;
+  const vtkSmartPointer<vtkPolyData> data = ToPolyData(mesh);
+  jets->SetInputData(data);
+  umbilics->SetInputConnection(jets->GetOutputPort());
+  umbilics->SetPatchSize(options.patchSize);
+  ridges->SetInputConnection(umbilics->GetOutputPort());
+  const double begin = Seconds();
+  jets->Update();
+  const double fitted = Seconds();
+  umbilics->Update();
+  const double detected = Seconds();
+  ridges->Update();
+  const double extracted = Seconds();
+
+  const RidgeComparison comparison(
+    truth, PictureOf(umbilics->GetOutput(1), ridges->GetOutput(), rotation), edge);
+  const int euler = EulerCharacteristic(mesh);
+  if (options.brief)
+  {
+    std::printf("%-12s %6zu seed %llu patch %g noise %g: ", options.surface.c_str(),
+      mesh.PointCount(), static_cast<unsigned long long>(options.seed), options.patchSize,
+      options.noise);
+    comparison.PrintLine(euler);
+    return;
+  }
+  std::printf("%s, %zu points, edge %.4g, patch size %g, seed %llu, noise %g edges\n",
+    options.surface.c_str(), mesh.PointCount(), edge, options.patchSize,
+    static_cast<unsigned long long>(options.seed), options.noise);
+  std::printf("seconds: fit %.2f, umbilics %.2f, ridges %.2f\n", fitted - begin, detected - fitted,
+    extracted - detected);
+  comparison.PrintTables(euler);
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+  try
+  {
+    Run(ParseOptions(argc, argv));
+    return 0;
+  }
+  catch (const std::exception& error)
+  {
+    std::fprintf(stderr, "RidgesTruth: %s\n", error.what());
+    return 1;
+  }
+}
