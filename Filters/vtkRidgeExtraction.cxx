@@ -101,6 +101,7 @@ int vtkRidgeExtraction::RequestData(
   search.SetTypeRule(
     this->TypeRule == FOURTH_ORDER ? ridges::TypeRule::FourthOrder : ridges::TypeRule::ThirdOrder);
   search.SetUsePatches(this->UmbilicJoining == PATCHES);
+  search.SetLoopSignificance(this->LoopSignificance);
   search.SetShortestRun(
     this->TypeHysteresis > 0.0 ? this->TypeHysteresis * MeanEdgeLength(triangles) : 0.0);
   vtkRidgesPolylines lines(mesh, umbilics, cutOff, modelSize);
@@ -139,6 +140,7 @@ void vtkRidgeExtraction::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "CrossingRule: " << (this->CrossingRule == FORM ? "Form" : "Linear") << "\n";
   os << indent << "UmbilicJoining: " << (this->UmbilicJoining == PATCHES ? "Patches" : "Triangles")
      << "\n";
+  os << indent << "LoopSignificance: " << this->LoopSignificance << "\n";
   os << indent << "TypeHysteresis: " << this->TypeHysteresis << "\n";
   os << indent << "ModelSize: " << this->ModelSize << "\n";
   os << indent << "UmbilicCutOff: " << this->UmbilicCutOff << "\n";

@@ -165,6 +165,17 @@ public:
 
   ///@{
   /**
+   * Loops that noise alone may have made are left out: those around at most 64 points at all of
+   * which b0 (b3) is within this many standard errors from 0. The errors are those of
+   * ThirdOrderError if that is there, else estimated from FitResidual and FitScale; without these
+   * no loop is left out. 0 to 100, default 3; 0 keeps all.
+   */
+  vtkSetClampMacro(LoopSignificance, double, 0.0, 100.0);
+  vtkGetMacro(LoopSignificance, double);
+  ///@}
+
+  ///@{
+  /**
    * Runs of one type that are shorter than this many mean edge lengths, between two of another
    * type, take on that type: noise in P makes them. 0 to 1000, default 0: none does.
    */
@@ -203,6 +214,7 @@ protected:
   int TypeRule = FOURTH_ORDER;
   int CrossingRule = FORM;
   int UmbilicJoining = PATCHES;
+  double LoopSignificance = 3.0;
   double TypeHysteresis = 0.0;
   double ModelSize = 0.0;
   double UmbilicCutOff = 0.01;

@@ -2,8 +2,10 @@
 #include "vtkRidgesSearch.h"
 
 #include "Core/PatchRidges.h"
+#include "Core/SmallLoops.h"
 #include "Core/UmbilicForm.h"
 #include "vtkRidgesBatches.h"
+#include "vtkRidgesFitErrors.h"
 #include "vtkRidgesMesh.h"
 #include "vtkRidgesUmbilicMarks.h"
 
@@ -180,7 +182,16 @@ bool vtkRidgesSearch::Find(vtkAlgorithm* filter, ridges::Color color, double fro
   }
   march.Collect(segments);
 
-  const std::vector<ridges::Ridge> whole = ridges::AssembleRidges(triangles, segments);
+  std::vector<ridges::Ridge> whole = ridges::AssembleRidges(triangles, segments);
+  if (this->LoopSignificance > 0.0)
+  {
+    const ridges::SmallLoops smallLoops(
+      crossings, vtkRidgesFetchFitErrors(this->Mesh.GetPolyData()), this->LoopSignificance);
+    whole.erase(std::remove_if(whole.begin(), whole.end(),
+                  [&](const ridges::Ridge& ridge)
+                  { return smallLoops.Contain(ridge, segments, paths); }),
+      whole.end());
+  }
   const ridges::UmbilicLookup lookup = this->MakeLookup();
   found.resize(whole.size());
   TraceRidges trace{ whole, segments, paths, crossings, this->TypeRule, lookup, this->ShortestRun,

@@ -23,6 +23,7 @@ public:
   void SetCrossingRule(ridges::CrossingRule rule) { this->CrossingRule = rule; }
   void SetTypeRule(ridges::TypeRule rule) { this->TypeRule = rule; }
   void SetUsePatches(bool use) { this->UsePatches = use; }
+  void SetLoopSignificance(double significance) { this->LoopSignificance = significance; }
   void SetShortestRun(double length) { this->ShortestRun = length; }
 
   /// The ridges in canonical form and order. False if the user aborted the filter, whose progress
@@ -39,6 +40,7 @@ private:
   ridges::CrossingRule CrossingRule = ridges::CrossingRule::Form;
   ridges::TypeRule TypeRule = ridges::TypeRule::FourthOrder;
   bool UsePatches = true;
+  double LoopSignificance = 0.0;
   double ShortestRun = 0.0;
 };
 

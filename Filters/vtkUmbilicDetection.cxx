@@ -2,27 +2,23 @@
 #include "vtkUmbilicDetection.h"
 
 #include "Core/DirectionIndex.h"
-#include "Core/GapError.h"
+#include "Core/FitErrors.h"
 #include "Core/IndexCharge.h"
 #include "Core/UmbilicDetection.h"
 #include "Core/UmbilicGathering.h"
-#include "vtkRidgesArrayNames.h"
 #include "vtkRidgesBatches.h"
+#include "vtkRidgesFitErrors.h"
 #include "vtkRidgesMongeInput.h"
 #include "vtkRidgesUmbilicOutput.h"
 
-#include "vtkDoubleArray.h"
 #include "vtkInformation.h"
 #include "vtkObjectFactory.h"
-#include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkSMPThreadLocal.h"
 
 #include <cmath>
 #include <memory>
 #include <utility>
-
-namespace names = vtkRidgesArrayNames;
 
 vtkStandardNewMacro(vtkUmbilicDetection);
 
@@ -79,7 +75,7 @@ private:
 struct LookAtPoints
 {
   LookAtPoints(const ridges::TriangleMesh& mesh, const ridges::DirectionIndex& index,
-    const ridges::GapErrorSource& errors)
+    const ridges::FitErrorSource& errors)
     : Mesh(mesh)
     , Index(index)
     , Errors(errors)
@@ -99,7 +95,7 @@ struct LookAtPoints
 
   const ridges::TriangleMesh& Mesh;
   const ridges::DirectionIndex& Index;
-  const ridges::GapErrorSource& Errors;
+  const ridges::FitErrorSource& Errors;
   std::vector<std::uint8_t> IsTame;
   std::vector<double> GapErrors;
 };
@@ -155,17 +151,6 @@ struct LookAtTriangles
   std::vector<std::int8_t> HalfTurns;
   std::vector<std::uint8_t> IsWeak;
 };
-
-ridges::GapErrorSource FetchErrors(vtkPolyData* mesh)
-{
-  const auto fetch = [mesh](const char* name) -> const double*
-  {
-    auto* array = vtkDoubleArray::SafeDownCast(mesh->GetPointData()->GetArray(name));
-    return array && array->GetNumberOfComponents() == 1 ? array->GetPointer(0) : nullptr;
-  };
-  return { fetch(names::MaximumCurvatureError), fetch(names::MinimumCurvatureError),
-    fetch(names::FitResidual), fetch(names::FitScale) };
-}
 
 int SumOf(const std::vector<ridges::IndexCharge>& charges)
 {
@@ -232,7 +217,7 @@ bool vtkUmbilicDetection::FindByIndices(vtkRidgesMongeInput& monge, vtkRidgesUmb
   const ridges::MongeField& field = monge.arrays.GetField();
   const std::uint8_t* usable = monge.arrays.GetUsable().data();
   const ridges::DirectionIndex index(mesh, field, usable);
-  const ridges::GapErrorSource errors = FetchErrors(monge.mesh.GetPolyData());
+  const ridges::FitErrorSource errors = vtkRidgesFetchFitErrors(monge.mesh.GetPolyData());
   LookAtPoints points(mesh, index, errors);
   LookAtTriangles triangles(field, points, this->Significance);
   if (!vtkRidgesForBatches(this, mesh.NumberOfPoints(), 0.1, 0.4, points) ||

@@ -190,6 +190,7 @@ FoundPicture PictureOf(vtkPolyData* umbilics, vtkPolyData* ridges, const Eigen::
   vtkDataArray* ridgeId = ArrayOf(ridges->GetCellData(), "RidgeId");
   vtkDataArray* umbilic = ArrayOf(ridges->GetPointData(), "Umbilic");
   vtkDataArray* edgePoint = ArrayOf(ridges->GetPointData(), "EdgePoint0");
+  vtkDataArray* turningPoint = ArrayOf(ridges->GetPointData(), "TurningPoint");
   std::map<vtkIdType, FoundRidge> byId;
   std::map<vtkIdType, std::map<vtkIdType, int>> endsOf; // of polylines, by ridge and point
   vtkNew<vtkIdList> line;
@@ -213,8 +214,8 @@ FoundPicture PictureOf(vtkPolyData* umbilics, vtkPolyData* ridges, const Eigen::
     for (const auto& end : endsOf[item.first])
     {
       const vtkIdType point = end.first;
-      const bool isUmbilic =
-        umbilic->GetComponent(point, 0) >= 0.0 || edgePoint->GetComponent(point, 0) < 0.0;
+      const bool isUmbilic = umbilic->GetComponent(point, 0) >= 0.0 ||
+        (edgePoint->GetComponent(point, 0) < 0.0 && turningPoint->GetComponent(point, 0) == 0.0);
       const int count = isUmbilic ? end.second : end.second % 2;
       for (int i = 0; i < count; ++i)
       {
