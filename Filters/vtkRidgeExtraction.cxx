@@ -2,18 +2,27 @@
 #include "vtkRidgeExtraction.h"
 
 #include "Core/EnclosingSphere.h"
+#include "Core/PurplePoints.h"
 #include "Core/RidgeMeasures.h"
 #include "Core/UmbilicForm.h"
+#include "vtkRidgesArrayNames.h"
 #include "vtkRidgesMongeInput.h"
 #include "vtkRidgesPolylines.h"
 #include "vtkRidgesSearch.h"
 #include "vtkRidgesUmbilicMarks.h"
 
+#include "vtkCellArray.h"
+#include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
 #include "vtkPolyData.h"
 
 #include <vector>
+
+namespace names = vtkRidgesArrayNames;
 
 vtkStandardNewMacro(vtkRidgeExtraction);
 
@@ -63,6 +72,34 @@ std::vector<Eigen::Vector3d> UmbilicPositions(const vtkRidgesUmbilicMarks& umbil
   return positions;
 }
 
+/// Red ridges are numbered on from the blue ones.
+void StorePurplePoints(const vtkRidgesMesh& mesh, const std::vector<ridges::PurplePoint>& found,
+  vtkIdType numberOfBlueRidges, vtkPolyData* output)
+{
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> vertices;
+  vtkNew<vtkIdTypeArray> maximumRidge;
+  vtkNew<vtkIdTypeArray> minimumRidge;
+  vtkNew<vtkIdTypeArray> triangle;
+  maximumRidge->SetName(names::MaximumRidgeId);
+  minimumRidge->SetName(names::MinimumRidgeId);
+  triangle->SetName(names::Triangle);
+  for (const ridges::PurplePoint& point : found)
+  {
+    const vtkIdType id = points->InsertNextPoint(point.position.data());
+    vertices->InsertNextCell(1, &id);
+    maximumRidge->InsertNextValue(point.blueRidge);
+    minimumRidge->InsertNextValue(numberOfBlueRidges + point.redRidge);
+    triangle->InsertNextValue(mesh.GetCellId(point.triangle));
+  }
+  output->SetPoints(points);
+  output->SetVerts(vertices);
+  output->GetPointData()->AddArray(maximumRidge);
+  output->GetPointData()->AddArray(minimumRidge);
+  output->GetPointData()->AddArray(triangle);
+}
+
 double MeanEdgeLength(const ridges::TriangleMesh& mesh)
 {
   double sum = 0.0;
@@ -74,6 +111,11 @@ double MeanEdgeLength(const ridges::TriangleMesh& mesh)
 }
 
 } // namespace
+
+vtkRidgeExtraction::vtkRidgeExtraction()
+{
+  this->SetNumberOfOutputPorts(2);
+}
 
 int vtkRidgeExtraction::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
@@ -100,31 +142,41 @@ int vtkRidgeExtraction::RequestData(
     this->CrossingRule == FORM ? ridges::CrossingRule::Form : ridges::CrossingRule::Linear);
   search.SetTypeRule(
     this->TypeRule == FOURTH_ORDER ? ridges::TypeRule::FourthOrder : ridges::TypeRule::ThirdOrder);
-  search.SetUsePatches(this->UmbilicJoining == PATCHES);
+  search.SetExtremalityRule(this->ExtremalityRule == GAUSSIAN
+      ? ridges::ExtremalityRule::Gaussian
+      : ridges::ExtremalityRule::Principal);
+  search.SetUsePatches(this->UmbilicJoining == PATCHES && this->ExtremalityRule == PRINCIPAL);
   search.SetLoopSignificance(this->LoopSignificance);
   search.SetShortestRun(
     this->TypeHysteresis > 0.0 ? this->TypeHysteresis * MeanEdgeLength(triangles) : 0.0);
   vtkRidgesPolylines lines(mesh, umbilics, cutOff, modelSize);
   lines.SetCrestOnly(this->CrestOnly);
 
-  for (const ridges::Color color : { ridges::Color::Blue, ridges::Color::Red })
+  const bool gaussian = this->ExtremalityRule == GAUSSIAN;
+  std::vector<ridges::RidgeTrace> blue;
+  std::vector<ridges::RidgeTrace> red;
+  const bool finished =
+    ((!gaussian && !this->ExtractMaximum) ||
+      search.Find(this, ridges::Color::Blue, 0.1, 0.55, blue)) &&
+    (gaussian || !this->ExtractMinimum || search.Find(this, ridges::Color::Red, 0.55, 1.0, red));
+  if (!finished)
   {
-    const bool blue = color == ridges::Color::Blue;
-    if (!(blue ? this->ExtractMaximum : this->ExtractMinimum))
+    return 1;
+  }
+  for (const auto* found : { &blue, &red })
+  {
+    for (const ridges::RidgeTrace& ridge : *found)
     {
-      continue;
-    }
-    std::vector<ridges::RidgeTrace> found;
-    if (!search.Find(this, color, blue ? 0.1 : 0.55, blue ? 0.55 : 1.0, found))
-    {
-      return 1;
-    }
-    for (const ridges::RidgeTrace& ridge : found)
-    {
-      lines.AddRidge(ridge, color);
+      lines.AddRidge(ridge);
     }
   }
   lines.Store(output, field.HasFourthOrder());
+  if (this->FindPurplePoints && !gaussian)
+  {
+    const auto purple = ridges::FindPurplePoints(triangles, blue, red);
+    StorePurplePoints(mesh, purple, static_cast<vtkIdType>(blue.size()),
+      vtkPolyData::GetData(outputVector, 1));
+  }
   return 1;
 }
 
@@ -137,6 +189,10 @@ void vtkRidgeExtraction::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "CrestOnly: " << onOff(this->CrestOnly);
   os << indent << "TypeRule: " << (this->TypeRule == FOURTH_ORDER ? "FourthOrder" : "ThirdOrder")
      << "\n";
+  os << indent
+     << "ExtremalityRule: " << (this->ExtremalityRule == PRINCIPAL ? "Principal" : "Gaussian")
+     << "\n";
+  os << indent << "FindPurplePoints: " << onOff(this->FindPurplePoints);
   os << indent << "CrossingRule: " << (this->CrossingRule == FORM ? "Form" : "Linear") << "\n";
   os << indent << "UmbilicJoining: " << (this->UmbilicJoining == PATCHES ? "Patches" : "Triangles")
      << "\n";

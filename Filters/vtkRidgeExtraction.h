@@ -83,6 +83,12 @@ public:
     THIRD_ORDER = 1
   };
 
+  enum ExtremalityRules
+  {
+    PRINCIPAL = 0,
+    GAUSSIAN = 1
+  };
+
   enum CrossingRules
   {
     FORM = 0,
@@ -138,6 +144,20 @@ public:
 
   ///@{
   /**
+   * What is taken for a ridge: a change of sign of b0 or b3 by the acute rule, colour by colour, or
+   * one of the Gaussian extremality b0 b3 (sections 4.2.2 and 5.2.3). Default the former. The
+   * latter is for comparison: its curves, closed or ended on borders, leave umbilics alone, pass
+   * from colour to colour at purple points (RidgeType 0 there), and miss edges crossed by both
+   * colours; ExtractMaximum, ExtractMinimum and umbilics do not matter then.
+   */
+  vtkSetClampMacro(ExtremalityRule, int, PRINCIPAL, GAUSSIAN);
+  vtkGetMacro(ExtremalityRule, int);
+  void SetExtremalityRuleToPrincipal() { this->SetExtremalityRule(PRINCIPAL); }
+  void SetExtremalityRuleToGaussian() { this->SetExtremalityRule(GAUSSIAN); }
+  ///@}
+
+  ///@{
+  /**
    * Where on a crossed edge the crossing is put: where b0 or b3 of the Monge form interpolated
    * between its ends vanishes, or by equation (4), from the two values of b0 or b3 alone. Which
    * edges are crossed is the same. Default the form: where principal directions turn fast, as near
@@ -185,6 +205,16 @@ public:
 
   ///@{
   /**
+   * Whether to put the purple points, where a blue ridge crosses a red one, on output port 1.
+   * Default off.
+   */
+  vtkSetMacro(FindPurplePoints, bool);
+  vtkGetMacro(FindPurplePoints, bool);
+  vtkBooleanMacro(FindPurplePoints, bool);
+  ///@}
+
+  ///@{
+  /**
    * The length by which sharpness is made free of units, 0 or more. Default 0: the radius of the
    * smallest enclosing sphere of the mesh.
    */
@@ -203,7 +233,7 @@ public:
   ///@}
 
 protected:
-  vtkRidgeExtraction() = default;
+  vtkRidgeExtraction();
   ~vtkRidgeExtraction() override = default;
 
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
@@ -212,10 +242,12 @@ protected:
   bool ExtractMinimum = true;
   bool CrestOnly = false;
   int TypeRule = FOURTH_ORDER;
+  int ExtremalityRule = PRINCIPAL;
   int CrossingRule = FORM;
   int UmbilicJoining = PATCHES;
   double LoopSignificance = 3.0;
   double TypeHysteresis = 0.0;
+  bool FindPurplePoints = false;
   double ModelSize = 0.0;
   double UmbilicCutOff = 0.01;
 

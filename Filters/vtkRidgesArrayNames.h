@@ -72,6 +72,12 @@ constexpr const char* RidgeId = "RidgeId";
 constexpr const char* Closed = "Closed";
 ///@}
 
+/// @name Purple points, point data
+///@{
+constexpr const char* MaximumRidgeId = "MaximumRidgeId";
+constexpr const char* MinimumRidgeId = "MinimumRidgeId";
+///@}
+
 /// @name Ridges, point data
 ///@{
 constexpr const char* Curvature = "Curvature";

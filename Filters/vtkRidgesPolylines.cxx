@@ -37,7 +37,7 @@ vtkRidgesPolylines::vtkRidgesPolylines(const vtkRidgesMesh& mesh,
   this->EdgeParameter->SetName(names::EdgeParameter);
 }
 
-void vtkRidgesPolylines::AddRidge(const ridges::RidgeTrace& ridge, ridges::Color color)
+void vtkRidgesPolylines::AddRidge(const ridges::RidgeTrace& ridge)
 {
   std::vector<vtkIdType> ids(ridge.vertices.size(), -1);
   const auto idOf = [&](Id i)
@@ -46,7 +46,7 @@ void vtkRidgesPolylines::AddRidge(const ridges::RidgeTrace& ridge, ridges::Color
     const Id slot = ridge.closed && i + 1 == static_cast<Id>(ids.size()) ? 0 : i;
     if (ids[slot] < 0)
     {
-      ids[slot] = this->InsertVertex(ridge.vertices[slot], color);
+      ids[slot] = this->InsertVertex(ridge.vertices[slot]);
     }
     return ids[slot];
   };
@@ -95,7 +95,7 @@ void vtkRidgesPolylines::AddRidge(const ridges::RidgeTrace& ridge, ridges::Color
   }
 }
 
-vtkIdType vtkRidgesPolylines::InsertVertex(const ridges::RidgeVertex& vertex, ridges::Color color)
+vtkIdType vtkRidgesPolylines::InsertVertex(const ridges::RidgeVertex& vertex)
 {
   const ridges::RidgePoint& point = vertex.point;
   vtkIdType umbilic = -1;
@@ -115,7 +115,7 @@ vtkIdType vtkRidgesPolylines::InsertVertex(const ridges::RidgeVertex& vertex, ri
   else
   {
     const double magnitude = point.gap > 0.0 ? point.P / point.gap : 0.0;
-    secondDerivative = color == ridges::Color::Blue ? magnitude : -magnitude;
+    secondDerivative = point.color == ridges::Color::Blue ? magnitude : -magnitude;
   }
   if (vertex.edge != ridges::RidgeVertex::None)
   {

@@ -32,12 +32,12 @@ public:
   void SetCrestOnly(bool crestOnly) { this->CrestOnly = crestOnly; }
 
   /// The next ridge: its runs of one type become polylines.
-  void AddRidge(const ridges::RidgeTrace& ridge, ridges::Color color);
+  void AddRidge(const ridges::RidgeTrace& ridge);
 
   void Store(vtkPolyData* output, bool hasFourthOrder);
 
 private:
-  vtkIdType InsertVertex(const ridges::RidgeVertex& vertex, ridges::Color color);
+  vtkIdType InsertVertex(const ridges::RidgeVertex& vertex);
 
   const vtkRidgesMesh& Mesh;
   const vtkRidgesUmbilicMarks& Umbilics;

@@ -151,7 +151,8 @@ bool vtkRidgesSearch::Find(vtkAlgorithm* filter, ridges::Color color, double fro
 {
   const ridges::TriangleMesh& triangles = this->Mesh.GetTriangles();
   const auto at = [from, to](double part) { return from + part * (to - from); };
-  ridges::RidgeCrossings crossings(triangles, this->Field, color, this->CrossingRule);
+  ridges::RidgeCrossings crossings(
+    triangles, this->Field, color, this->CrossingRule, this->ExtremalityRule);
   FindCrossings find{ crossings };
   if (!vtkRidgesForBatches(filter, triangles.NumberOfEdges(), from, at(0.2), find))
   {

@@ -21,12 +21,13 @@ public:
     const vtkRidgesUmbilicMarks& umbilics);
 
   void SetCrossingRule(ridges::CrossingRule rule) { this->CrossingRule = rule; }
+  void SetExtremalityRule(ridges::ExtremalityRule rule) { this->ExtremalityRule = rule; }
   void SetTypeRule(ridges::TypeRule rule) { this->TypeRule = rule; }
   void SetUsePatches(bool use) { this->UsePatches = use; }
   void SetLoopSignificance(double significance) { this->LoopSignificance = significance; }
   void SetShortestRun(double length) { this->ShortestRun = length; }
 
-  /// The ridges in canonical form and order. False if the user aborted the filter, whose progress
+  /// The ridges of a colour, or with the Gaussian rule those of both, in canonical form and order. False if the user aborted the filter, whose progress
   /// runs from `from` to `to`.
   bool Find(vtkAlgorithm* filter, ridges::Color color, double from, double to,
     std::vector<ridges::RidgeTrace>& found) const;
@@ -38,6 +39,7 @@ private:
   const ridges::MongeField& Field;
   const vtkRidgesUmbilicMarks& Umbilics;
   ridges::CrossingRule CrossingRule = ridges::CrossingRule::Form;
+  ridges::ExtremalityRule ExtremalityRule = ridges::ExtremalityRule::Principal;
   ridges::TypeRule TypeRule = ridges::TypeRule::FourthOrder;
   bool UsePatches = true;
   double LoopSignificance = 0.0;

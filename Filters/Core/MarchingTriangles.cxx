@@ -10,7 +10,6 @@ void MarchTriangle(
   const RidgeCrossings& crossings, TypeRule rule, Id triangle, std::vector<RidgeSegment>& segments)
 {
   const TriangleMesh& mesh = crossings.Mesh();
-  const Color color = crossings.RidgeColor();
   std::array<int, 3> crossed{};
   int count = 0;
   for (int side = 0; side < 3; ++side)
@@ -26,7 +25,7 @@ void MarchTriangle(
     for (int i = 0; i < count; ++i)
     {
       segments.push_back({ triangle, mesh.EdgeOf(triangle, crossed[i]), RidgeSegment::ToUmbilic,
-        TypeOf(color, false) });
+        TypeOf(crossings.RidgeColor(), false) });
     }
   }
   else if (count == 2)
@@ -40,11 +39,16 @@ void MarchTriangle(
     const Id edge1 = mesh.EdgeOf(triangle, side3);
     const RidgePoint& r1 = crossings.PointOn(edge0);
     const RidgePoint& r2 = crossings.PointOn(edge1);
+    if (r1.color != r2.color)
+    {
+      segments.push_back({ triangle, edge0, edge1, RidgeType::Undecided });
+      return;
+    }
     const bool elliptic = rule == TypeRule::FourthOrder
       ? r1.P + r2.P < 0.0
       : IsEllipticByThirdOrder(
-          mesh, crossings.Field(), color, triangle, side2, r1.position, r2.position);
-    segments.push_back({ triangle, edge0, edge1, TypeOf(color, elliptic) });
+          mesh, crossings.Field(), r1.color, triangle, side2, r1.position, r2.position);
+    segments.push_back({ triangle, edge0, edge1, TypeOf(r1.color, elliptic) });
   }
 }
 

@@ -45,7 +45,8 @@ struct RidgePath
  *
  * By the fourth order a piece has the type of P at its middle, so that of two ends of different
  * type the one nearer to the turning point takes the change. A piece that ends at an umbilic is
- * hyperbolic, as every ridge is there (section 6.5).
+ * hyperbolic, as every ridge is there (section 6.5); one between crossings of different colours,
+ * by the Gaussian rule, is undecided.
  */
 void MarchTriangle(
   const RidgeCrossings& crossings, TypeRule rule, Id triangle, std::vector<RidgeSegment>& segments);

@@ -5,11 +5,13 @@ namespace ridges
 {
 
 RidgeCrossings::RidgeCrossings(
-  const TriangleMesh& mesh, const MongeField& field, Color color, CrossingRule rule)
+  const TriangleMesh& mesh, const MongeField& field, Color color, CrossingRule rule,
+  ExtremalityRule extremality)
   : Mesh_(mesh)
   , Field_(field)
   , Color_(color)
   , Rule_(rule)
+  , Extremality_(extremality)
   , Numbers_(mesh.NumberOfEdges(), NotCrossed)
 {
 }
@@ -19,7 +21,12 @@ void RidgeCrossings::Find(Id beginEdge, Id endEdge)
   for (Id e = beginEdge; e < endEdge; ++e)
   {
     const Edge& edge = this->Mesh_.EdgeAt(e);
-    const bool crossed = ridges::IsCrossed(this->Field_, this->Color_, edge.v0, edge.v1);
+    const auto changes = [&](Color color)
+    { return ridges::IsCrossed(this->Field_, color, edge.v0, edge.v1); };
+    // The product changes where one of its factors does, in whatever frame.
+    const bool crossed = this->Extremality_ == ExtremalityRule::Principal
+      ? changes(this->Color_)
+      : changes(Color::Blue) != changes(Color::Red);
     this->Numbers_[e] = crossed ? 0 : NotCrossed;
   }
 }
@@ -42,8 +49,15 @@ void RidgeCrossings::Place(Id begin, Id end)
 {
   for (Id i = begin; i < end; ++i)
   {
+    Color color = this->Color_;
+    if (this->Extremality_ == ExtremalityRule::Gaussian)
+    {
+      const Edge& edge = this->Mesh_.EdgeAt(this->Edges_[i]);
+      const bool blue = ridges::IsCrossed(this->Field_, Color::Blue, edge.v0, edge.v1);
+      color = blue ? Color::Blue : Color::Red;
+    }
     this->Points_[i] =
-      RidgePointOnEdge(this->Mesh_, this->Field_, this->Color_, this->Rule_, this->Edges_[i]);
+      RidgePointOnEdge(this->Mesh_, this->Field_, color, this->Rule_, this->Edges_[i]);
   }
 }
 

@@ -9,6 +9,15 @@
 namespace ridges
 {
 
+/// Which sign changes are ridges.
+enum class ExtremalityRule
+{
+  Principal, ///< Of b0 or b3, by the acute rule: ridges of one colour.
+  /// Of the Gaussian extremality b0 b3, which needs no rule (sections 4.2.2 and 5.2.3): ridges of
+  /// both colours, cut and joined to each other at purple points, and broken at umbilics.
+  Gaussian
+};
+
 /**
  * The edges that ridges of one colour cross, and the points where they do, each found once: an edge
  * has two triangles, and the point is asked for again when the ridge is put together.
@@ -19,7 +28,9 @@ namespace ridges
 class RidgeCrossings
 {
 public:
-  RidgeCrossings(const TriangleMesh& mesh, const MongeField& field, Color color, CrossingRule rule);
+  /// With the Gaussian rule the colour does not matter: each point has that of what changes there.
+  RidgeCrossings(const TriangleMesh& mesh, const MongeField& field, Color color, CrossingRule rule,
+    ExtremalityRule extremality = ExtremalityRule::Principal);
 
   void Find(Id beginEdge, Id endEdge);
   void Number();
@@ -44,6 +55,7 @@ private:
   MongeField Field_;
   Color Color_;
   CrossingRule Rule_;
+  ExtremalityRule Extremality_;
   std::vector<Id> Numbers_; ///< Per edge.
   std::vector<Id> Edges_;   ///< Per crossing.
   std::vector<RidgePoint> Points_;

@@ -73,6 +73,7 @@ RidgePoint Interpolate(const TriangleMesh& mesh, const MongeField& field, Color 
   const bool blue = color == Color::Blue;
 
   RidgePoint point;
+  point.color = color;
   point.parameter = ends.swaps ? 1.0 - t : t;
   point.position = (1.0 - t) * mesh.Point(ends.p) + t * mesh.Point(ends.q);
   point.curvature = blue ? form.k1 : form.k2;

@@ -23,6 +23,7 @@ struct RidgePoint
   double gap;         ///< k1 - k2
   double P;           ///< P1 or P2, or 0 where the field has no fourth order
   double crestMargin; ///< |own curvature| - |other curvature|
+  Color color = Color::Blue;
 };
 
 /// The crossing of a ridge of the colour on an edge that IsCrossed; see MongeInterpolation.h.

@@ -37,6 +37,7 @@ RidgeVertex TurningPointBetween(const RidgePoint& a, const RidgePoint& b)
   vertex.point.gap = between(a.gap, b.gap);
   vertex.point.P = 0.0;
   vertex.point.crestMargin = between(a.crestMargin, b.crestMargin);
+  vertex.point.color = a.color;
   return vertex;
 }
 
@@ -153,9 +154,13 @@ private:
   void AppendPiece(
     RidgeTrace& trace, const RidgeSegment& segment, const RidgeVertex& next, bool inPatch) const
   {
-    const Color color = this->Crossings_.RidgeColor();
     const RidgePoint before = trace.vertices.back().point;
-    if (inPatch)
+    const Color color = before.color;
+    if (color != next.point.color)
+    {
+      trace.types.push_back(RidgeType::Undecided);
+    }
+    else if (inPatch)
     {
       trace.types.push_back(TypeOf(color, false));
     }
