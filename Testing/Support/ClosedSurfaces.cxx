@@ -107,11 +107,16 @@ ClosedSurface BulgedDoubleTorus(std::uint64_t seed)
     AnalyticSurface(
       [bulges](auto x, auto y, auto z)
       {
-        // The second torus is turned about the x axis.
+        // Both tori are bent and flattened, as k1 is all but constant around a round tube; the
+        // second one is turned about the x axis.
         const auto u = 0.8 * y + 0.6 * z;
         const auto v = 0.8 * z - 0.6 * y;
-        auto sum = exp(-3.0 * TorusLevel(x + 1.15, y, z, 0.95, 0.35)) +
-          exp(-3.0 * TorusLevel(x - 1.05, u, v, 0.85, 0.4));
+        auto sum = exp(-3.0 *
+                     TorusLevel(x + 1.15 + 0.15 * y * z, y + 0.1 * x * z,
+                       0.7 * z + 0.12 * x * y + 0.1 * x * x, 0.95, 0.35)) +
+          exp(-3.0 *
+            TorusLevel(x - 1.05 - 0.15 * u * u, u + 0.12 * x * v,
+              1.4 * v + 0.1 * x * u - 0.1 * u * u, 0.85, 0.4));
         for (const Bulge& bulge : bulges)
         {
           sum += bulge(x, y, z);
@@ -176,7 +181,7 @@ ClosedSurface ClosedSurfaceByName(const std::string& name)
   using Maker = ClosedSurface (*)(std::uint64_t);
   static const std::map<std::string, std::pair<Maker, std::uint64_t>> families = {
     { "sphere", { PerturbedSphere, 14 } }, { "torus", { BulgedTorus, 6 } },
-    { "double torus", { BulgedDoubleTorus, 3 } }, { "blob", { Blob, 6 } },
+    { "double torus", { BulgedDoubleTorus, 17 } }, { "blob", { Blob, 6 } },
     { "metaballs", { Metaballs, 11 } }
   };
   const std::size_t colon = name.find(':');

@@ -30,7 +30,7 @@ struct ClosedSurface
 ClosedSurface PerturbedSphere(std::uint64_t seed);
 // A torus with three bulges, which have umbilics of both signs.
 ClosedSurface BulgedTorus(std::uint64_t seed);
-// Genus 2: two tori grown together, with three bulges.
+// Genus 2: two bent tori grown together, with three bulges.
 ClosedSurface BulgedDoubleTorus(std::uint64_t seed);
 // Star-shaped about the origin: the radius is a polynomial of the direction.
 ClosedSurface Blob(std::uint64_t seed);
