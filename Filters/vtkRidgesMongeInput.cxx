@@ -6,15 +6,23 @@
 
 bool vtkRidgesMongeInput::Fetch(vtkAlgorithm* filter, vtkPolyData* input, bool needsFourthOrder)
 {
-  if (input->GetNumberOfPoints() > 0)
+  const bool isEmpty = input->GetNumberOfPoints() == 0;
+  return this->Build(filter, input, isEmpty ? "" : this->arrays.Fetch(input, needsFourthOrder));
+}
+
+bool vtkRidgesMongeInput::FetchSecondOrder(vtkAlgorithm* filter, vtkPolyData* input)
+{
+  const bool isEmpty = input->GetNumberOfPoints() == 0;
+  return this->Build(filter, input, isEmpty ? "" : this->arrays.FetchSecondOrder(input));
+}
+
+bool vtkRidgesMongeInput::Build(vtkAlgorithm* filter, vtkPolyData* input, const std::string& faults)
+{
+  if (!faults.empty())
   {
-    const std::string faults = this->arrays.Fetch(input, needsFourthOrder);
-    if (!faults.empty())
-    {
-      vtkErrorWithObjectMacro(
-        filter, "The mesh lacks point arrays that vtkJetFitting makes: " << faults << ".");
-      return false;
-    }
+    vtkErrorWithObjectMacro(
+      filter, "The mesh lacks point arrays that vtkJetFitting makes: " << faults << ".");
+    return false;
   }
   if (!this->mesh.Build(input, this->arrays.GetUsable()))
   {

@@ -5,6 +5,8 @@
 #include "vtkRidgesMesh.h"
 #include "vtkRidgesMongeArrays.h"
 
+#include <string>
+
 class vtkAlgorithm;
 
 /**
@@ -16,8 +18,14 @@ struct vtkRidgesMongeInput
   /// with unusable points are left out.
   bool Fetch(vtkAlgorithm* filter, vtkPolyData* input, bool needsFourthOrder);
 
+  /// The same for curvatures and directions alone.
+  bool FetchSecondOrder(vtkAlgorithm* filter, vtkPolyData* input);
+
   vtkRidgesMongeArrays arrays;
   vtkRidgesMesh mesh;
+
+private:
+  bool Build(vtkAlgorithm* filter, vtkPolyData* input, const std::string& faults);
 };
 
 #endif
