@@ -146,9 +146,17 @@ bool SurfaceWalk::Step(double longest)
     return false; // at an umbilic
   }
 
-  // An edge a little behind the end of the step is the end of it: no tiny steps follow.
-  const Exit exit = this->FindExit(direction);
-  if (exit.side >= 0 && exit.distance <= 1.25 * length)
+  // An edge a little behind the end of the step is the end of it: no tiny steps follow. The
+  // direction is then that half way to the edge, or errors of first order would add up.
+  Exit exit = this->FindExit(direction);
+  if (exit.distance <= 1.25 * length)
+  {
+    direction = this->TurnedInward(
+      this->DirectionAt(this->Flat_ + 0.5 * exit.distance * direction, direction));
+    exit = this->FindExit(direction);
+    length = std::min(exit.distance, 1.5 * length);
+  }
+  if (exit.distance <= length)
   {
     const FlatTriangle::Side& side = this->Face_.SideAt(exit.side);
     const double along =

@@ -37,9 +37,9 @@ public:
     WalkRule rule, Id triangle, const Eigen::Vector3d& point, const Eigen::Vector2d& along);
 
   /**
-   * A step, no longer than a quarter more than `longest`. False where there is none: at borders and
-   * non-manifold edges, before closed triangles and those without area, at an umbilic, and where
-   * the directions of neighbours are so far apart that there is no way between them.
+   * A step, no longer than half as much again as `longest`. False where there is none: at borders
+   * and non-manifold edges, before closed triangles and those without area, at an umbilic, and
+   * where the directions of neighbours are so far apart that there is no way between them.
    */
   bool Step(double longest);
 
