@@ -12,8 +12,9 @@ class vtkAlgorithm;
 /**
  * A mesh with Monge arrays, as the filters behind vtkJetFitting take it in, private to the module.
  */
-struct vtkRidgesMongeInput
+class vtkRidgesMongeInput
 {
+public:
   /// False, after one error in the name of the filter, where the input cannot be used. Triangles
   /// with unusable points are left out.
   bool Fetch(vtkAlgorithm* filter, vtkPolyData* input, bool needsFourthOrder);

@@ -227,7 +227,7 @@ TEST(SurfaceWalk, ShortensItsStepsWhereTheDirectionTurns)
       walk.Start(WalkRule::Blue, 0, x, along);
       while (walk.Step(1.0))
       {
-        const Eigen::Vector3d y = walk.Position();
+        const Eigen::Vector3d& y = walk.Position();
         greatest = std::max(greatest, std::abs(y.norm() - y[0] - 2.0 * std::abs(start)));
       }
     }
