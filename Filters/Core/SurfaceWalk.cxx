@@ -12,7 +12,7 @@ namespace
 
 /// Of the angle between a step and the edge it starts from: where the directions at both sides of
 /// an edge point towards it, the walk goes on along the edge rather than to and fro.
-constexpr double LeastInward = 0.01;
+constexpr double LeastInward = 1e-4;
 
 /// Steps end at least this fraction of an edge away from its ends: a point is never in more than
 /// two triangles.
