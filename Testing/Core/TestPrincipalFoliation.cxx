@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Curvature lines: are they such, are they evenly spaced, and are they always the same.
+// Curvature lines: are they evenly spaced, and are they always the same.
 
-#include "EllipsoidRidges.h"
-#include "TestFields.h"
-
-#include "PrincipalFoliation.h"
+#include "FoliationTools.h"
 
 #include <gtest/gtest.h>
 
@@ -21,49 +18,6 @@ namespace
 using namespace ridges;
 using namespace ridges::testing;
 
-FoliationRule RuleFor(Color color, double separation)
-{
-  FoliationRule rule;
-  rule.color = color;
-  rule.separation = separation;
-  rule.leastDistance = 0.5 * separation;
-  rule.minimumLength = 2.0 * separation;
-  rule.maximumLength = std::numeric_limits<double>::infinity();
-  rule.step = 0.2 * separation;
-  rule.closingDistance = 0.1 * separation;
-  return rule;
-}
-
-std::vector<CurvatureLine> LinesOf(const TriangleMesh& mesh, const FieldArrays& field,
-  const FoliationRule& rule, const std::vector<std::uint8_t>& closed = {})
-{
-  PrincipalFoliation foliation(mesh, field.View(), rule, closed);
-  EXPECT_TRUE(foliation.Trace());
-  return foliation.Lines();
-}
-
-/// What is true of any lines.
-void CheckLines(const std::vector<CurvatureLine>& lines, const FoliationRule& rule)
-{
-  for (const CurvatureLine& line : lines)
-  {
-    ASSERT_GE(line.points.size(), 2u);
-    ASSERT_EQ(line.points.size(), line.curvatures.size());
-    double length = 0.0;
-    const std::size_t segments = line.points.size() - (line.closed ? 0 : 1);
-    for (std::size_t i = 0; i < segments; ++i)
-    {
-      const double step = (line.points[(i + 1) % line.points.size()] - line.points[i]).norm();
-      ASSERT_TRUE(std::isfinite(step) && std::isfinite(line.curvatures[i]));
-      ASSERT_LE(step, 1.5 * rule.step + rule.closingDistance);
-      length += step;
-    }
-    EXPECT_NEAR(line.length, length, 1e-10 * length);
-    EXPECT_GE(line.length, rule.minimumLength * (1.0 - 1e-12));
-    EXPECT_LE(line.length, rule.maximumLength + 3.0 * rule.step);
-  }
-}
-
 double DistanceToLine(const Eigen::Vector3d& x, const CurvatureLine& line)
 {
   double square = std::numeric_limits<double>::infinity();
@@ -75,183 +29,9 @@ double DistanceToLine(const Eigen::Vector3d& x, const CurvatureLine& line)
   return std::sqrt(square);
 }
 
-/// The spread of a function along all lines.
-template <typename Function>
-double GreatestSpread(const std::vector<CurvatureLine>& lines, const Function& function)
-{
-  double greatest = 0.0;
-  for (const CurvatureLine& line : lines)
-  {
-    double low = std::numeric_limits<double>::infinity();
-    double high = -low;
-    for (const Eigen::Vector3d& x : line.points)
-    {
-      low = std::min(low, function(x));
-      high = std::max(high, function(x));
-    }
-    greatest = std::max(greatest, high - low);
-  }
-  return greatest;
-}
-
-struct TorusLines
-{
-  explicit TorusLines(int n)
-    : surface(TorusMesh(2.0, 0.7, 3 * n, n))
-    , field(ExactField(surface.Triangles(), MakeTorus(2.0, 0.7)))
-    , edge(surface.MeanEdge())
-  {
-  }
-  static double AroundTube(const Eigen::Vector3d& x)
-  {
-    return std::atan2(x[2], x.head<2>().norm() - 2.0);
-  }
-
-  MeshedSurface surface;
-  FieldArrays field;
-  double edge;
-};
-
-/// The elliptic coordinates of a point on the ellipsoid of the fixtures' axes, of its radial
-/// projection if it is off it: curvature lines are where one of them is constant.
-std::array<double, 2> EllipticCoordinates(Eigen::Vector3d x)
-{
-  const Eigen::Array3d squares = Eigen::Array3d(1.0, 0.8, 0.6).square();
-  x /= std::sqrt((x.array().square() / squares).sum());
-  // Zero and these are the roots of the sum of x^2 / (a^2 - l) = 1.
-  const Eigen::Array3d x2 = x.array().square();
-  const double sum = squares.sum() - x2.sum();
-  const double product = squares[0] * squares[1] + squares[1] * squares[2] +
-    squares[2] * squares[0] - (x2 * (squares.sum() - squares)).sum();
-  const double root = std::sqrt(std::max(0.0, sum * sum - 4.0 * product));
-  return { 0.5 * (sum - root), 0.5 * (sum + root) };
-}
-
-/// Smaller of the spreads of both coordinates.
-double SpreadOnEllipsoid(const CurvatureLine& line)
-{
-  const auto spread = [&line](int i)
-  {
-    return GreatestSpread(
-      { line }, [i](const Eigen::Vector3d& x) { return EllipticCoordinates(x)[i]; });
-  };
-  return std::min(spread(0), spread(1));
-}
-
-struct EllipsoidLines
-{
-  explicit EllipsoidLines(int frequency)
-    : surface(EllipsoidMesh(frequency, 1.0, 0.8, 0.6))
-    , field(ExactField(surface.Triangles(), MakeEllipsoid(1.0, 0.8, 0.6)))
-  {
-  }
-  MeshedSurface surface;
-  FieldArrays field;
-};
-
-double DistanceToUmbilics(const Eigen::Vector3d& x)
-{
-  double least = 10.0;
-  for (const Eigen::Vector3d& umbilic : EllipsoidUmbilics(1.0, 0.8, 0.6))
-  {
-    least = std::min(least, (x - umbilic).norm());
-  }
-  return least;
-}
-
 } // namespace
 
 //------------------------------------------------------------------------------
-// k2 = -1 / 0.7 around the tube, k1 around the axis.
-TEST(PrincipalFoliation, OfATorusIsItsCirclesToSecondOrder)
-{
-  double spread[2][2] = {};
-  for (const int i : { 0, 1 })
-  {
-    const TorusLines torus(24 << i);
-    const FoliationRule blueRule = RuleFor(Color::Blue, 0.2);
-    const auto blue = LinesOf(torus.surface.Triangles(), torus.field, blueRule);
-    CheckLines(blue, blueRule);
-    const FoliationRule redRule = RuleFor(Color::Red, 0.2);
-    const auto red = LinesOf(torus.surface.Triangles(), torus.field, redRule);
-    CheckLines(red, redRule);
-
-    // Around the tube is 4.4: room for 22 lines; some fewer, where the last gap is too narrow.
-    EXPECT_GE(blue.size(), 17u);
-    EXPECT_LE(blue.size(), 22u);
-    for (const CurvatureLine& line : blue)
-    {
-      // On the coarse mesh some miss their seed by more than 0.02.
-      EXPECT_TRUE(line.closed || i == 0);
-      const double around = TorusLines::AroundTube(line.points[0]);
-      EXPECT_NEAR(line.length, 2.0 * EIGEN_PI * (2.0 + 0.7 * std::cos(around)), 2.0 * torus.edge);
-      EXPECT_NEAR(line.curvatures[0], -std::cos(around) / (2.0 + 0.7 * std::cos(around)),
-        torus.edge * torus.edge);
-    }
-    for (const CurvatureLine& line : red)
-    {
-      EXPECT_NEAR(line.curvatures[0], -1.0 / 0.7, torus.edge * torus.edge);
-      if (line.closed)
-      {
-        EXPECT_NEAR(line.length, 2.0 * EIGEN_PI * 0.7, torus.edge * torus.edge);
-      }
-    }
-    // Meridians come together inside: of 68 outside, 32 are far enough apart.
-    EXPECT_GE(
-      std::count_if(red.begin(), red.end(), [](const auto& line) { return line.closed; }), 30);
-
-    spread[0][i] = GreatestSpread(blue, TorusLines::AroundTube);
-    // In the frame of the line's first point, where the angle does not jump.
-    for (const CurvatureLine& line : red)
-    {
-      const Eigen::Vector2d radial = line.points[0].head<2>().normalized();
-      const double angle = GreatestSpread({ line },
-        [&](const Eigen::Vector3d& x)
-        { return std::atan2(radial[0] * x[1] - radial[1] * x[0], radial.dot(x.head<2>())); });
-      spread[1][i] = std::max(spread[1][i], angle);
-    }
-  }
-  // Angles; the mean edge is 0.2 and 0.1.
-  EXPECT_LT(spread[0][0], 0.05);
-  EXPECT_LT(spread[1][0], 0.05);
-  EXPECT_LT(spread[0][1], 0.35 * spread[0][0]);
-  EXPECT_LT(spread[1][1], 0.35 * spread[1][0]);
-}
-
-TEST(PrincipalFoliation, OfAnEllipsoidKeepsAnEllipticCoordinateToSecondOrder)
-{
-  for (const Color color : { Color::Blue, Color::Red })
-  {
-    double spread[3];
-    for (const int i : { 0, 1, 2 })
-    {
-      const EllipsoidLines ellipsoid(12 << i);
-      const FoliationRule rule = RuleFor(color, 0.08);
-      const auto lines = LinesOf(ellipsoid.surface.Triangles(), ellipsoid.field, rule);
-      CheckLines(lines, rule);
-      EXPECT_GE(lines.size(), 30u);
-      EXPECT_LE(lines.size(), 60u);
-      // Of lines that pass the umbilics at a distance: the nearer the greater the error.
-      spread[i] = 0.0;
-      int count = 0;
-      for (const CurvatureLine& line : lines)
-      {
-        const auto isFar = [](const Eigen::Vector3d& x) { return DistanceToUmbilics(x) > 0.2; };
-        if (std::all_of(line.points.begin(), line.points.end(), isFar))
-        {
-          spread[i] = std::max(spread[i], SpreadOnEllipsoid(line));
-          ++count;
-        }
-      }
-      EXPECT_GE(count, 5);
-    }
-    // The coordinates are from 0.36 to 1; the mean edge is 0.08 first.
-    EXPECT_LT(spread[0], 0.01);
-    EXPECT_LT(spread[1], 0.4 * spread[0]);
-    EXPECT_LT(spread[2], 0.4 * spread[1]);
-  }
-}
-
 TEST(PrincipalFoliation, LinesAreEvenlySpacedAndLeaveNoGap)
 {
   const EllipsoidLines ellipsoid(24);
