@@ -32,6 +32,7 @@ constexpr double FailureRadius = 0.25;
 constexpr std::size_t NumberOfTrials = 16;
 
 constexpr int StepsPerReport = 256;
+constexpr std::size_t TrianglesPerStep = 64;
 
 WalkRule RuleOf(Color color)
 {
@@ -86,6 +87,12 @@ PrincipalFoliation::PrincipalFoliation(const TriangleMesh& mesh, const MongeFiel
   , Walk_(mesh, field, Closed_)
 {
   this->Closed_.resize(mesh.NumberOfTriangles(), 0);
+}
+
+/// Large balls take longer than steps: the monitor is to hear as often.
+void PrincipalFoliation::CountBall()
+{
+  this->UntilReport_ -= static_cast<int>(this->Segments_.Ball().Size() / TrianglesPerStep);
 }
 
 bool PrincipalFoliation::Report()
@@ -190,9 +197,10 @@ std::vector<PrincipalFoliation::Seed> PrincipalFoliation::SeedsInTriangles()
 
 bool PrincipalFoliation::IsFree(const Seed& seed)
 {
-  const double least = SeedTolerance * this->Rule_.separation;
-  return this->Segments_.Distance(
-           seed.position, seed.triangle, least, [](const TracedSegment&) { return true; }) >= least;
+  const bool isFree =
+    this->Segments_.IsFree(seed.position, seed.triangle, SeedTolerance * this->Rule_.separation);
+  this->CountBall();
+  return isFree;
 }
 
 /// Adds the segments of the line through a seed, those of its second half from `middle` on; its
@@ -323,13 +331,15 @@ double PrincipalFoliation::DistanceToLines(double radius, const OwnRange& own)
 {
   const TracedSegment& last = this->Segments_.Last();
   const double ignored = OwnArc * this->Rule_.leastDistance;
-  return this->Segments_.Distance(last.end, last.triangle, radius,
+  const double distance = this->Segments_.Distance(last.end, last.triangle, radius,
     [&](const TracedSegment& segment)
     {
       return segment.line != this->Line_ ||
         (std::abs(segment.arc - own.arc) > ignored &&
           !(own.ignoreSeed && std::abs(segment.arc) < ignored));
     });
+  this->CountBall();
+  return distance;
 }
 
 void PrincipalFoliation::StoreLine(std::size_t first, std::size_t middle, bool closed)
@@ -437,6 +447,7 @@ void PrincipalFoliation::CoverAround(const Eigen::Vector3d& center, Id triangle,
       }
       return square;
     });
+  this->CountBall();
 }
 
 } // namespace ridges

@@ -96,6 +96,7 @@ private:
   void AddCandidates(std::size_t first);
   void Cover(std::size_t first);
   void CoverAround(const Eigen::Vector3d& center, Id triangle, double radius);
+  void CountBall();
   bool Report();
 
   const TriangleMesh& Mesh_;

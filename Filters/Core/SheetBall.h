@@ -38,7 +38,7 @@ public:
   }
 
   /// Calls visit(t), which returns the square of the radius from then on: that of the ball, or a
-  /// smaller one. The triangle of the centre is the first.
+  /// smaller one, and 0 to be called no more. The triangle of the centre is the first.
   template <typename Visitor>
   void Visit(const Eigen::Vector3d& center, Id triangle, double squaredRadius, const Visitor& visit)
   {
@@ -53,6 +53,10 @@ public:
     {
       const Id t = this->Queue_[next];
       squaredRadius = visit(t);
+      if (!(squaredRadius > 0.0))
+      {
+        break;
+      }
       for (int i = 0; i < 3; ++i)
       {
         const Id neighbor = this->Mesh_.Neighbor(t, i);
@@ -70,6 +74,9 @@ public:
       }
     }
   }
+
+  /// How many triangles the last visit came to, about: what it took.
+  std::size_t Size() const { return this->Queue_.size(); }
 
 private:
   const TriangleMesh& Mesh_;

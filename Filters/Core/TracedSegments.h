@@ -60,6 +60,24 @@ public:
     this->Segments_.back().curvature = curvature;
   }
 
+  /// Whether no segment is nearer to a point of a triangle, on the same sheet, than the radius.
+  bool IsFree(const Eigen::Vector3d& point, Id triangle, double radius)
+  {
+    bool isFree = true;
+    const double square = radius * radius;
+    this->Ball_.Visit(point, triangle, square,
+      [&](Id t)
+      {
+        for (Id s = this->Top_[t]; s >= 0 && isFree; s = this->Segments_[s].below)
+        {
+          const TracedSegment& segment = this->Segments_[s];
+          isFree = !(SquaredDistance(point, segment.start, segment.end) < square);
+        }
+        return isFree ? square : 0.0;
+      });
+    return isFree;
+  }
+
   /// The distance from a point of a triangle to the nearest segment that counts(segment), on the
   /// same sheet; the radius if there is none within it.
   template <typename Counts>
