@@ -26,11 +26,11 @@
  * over the edge. They are second-order accurate in the length of the edges, as the mesh is.
  *
  * Lines are placed after Jobard and Lefer (1997): new ones start at the Separation from those
- * there are, where k1 - k2 is greatest first, and lines end nearer to another one, or to
- * themselves, than LeastDistance of that. Further lines start wherever the surface is farther than
- * the Separation from all lines. Distances are straight ones, but to lines on the same sheet of
- * the surface only: near points are found over the mesh, so that a line on one side of a thin
- * wall does not hinder one on the other, which a point locator in space would do.
+ * there are, beside the longest first, and lines end nearer to another one, or to themselves, than
+ * LeastDistance of that. Further lines start wherever the surface is farther than the Separation
+ * from all lines, where k1 - k2 is greatest first. Distances are straight ones, but to lines on the
+ * same sheet of the surface only: near points are found over the mesh, so that a line on one side
+ * of a thin wall does not hinder one on the other, which a point locator in space would do.
  *
  * Lines end at singular triangles, each of which holds an umbilic, at umbilic patches, borders,
  * non-manifold edges, unusable triangles, and near other lines. A line that comes back to its
