@@ -240,10 +240,10 @@ TEST(PrincipalFoliationFilter, PropertiesAreClampedCheckedAndPrinted)
     EXPECT_NE(text.str().find(line), std::string::npos) << line;
   }
 
-  const double NaN = std::numeric_limits<double>::quiet_NaN();
+  const double notANumber = std::numeric_limits<double>::quiet_NaN();
   foliation->SetInputData(RunFilters(EllipsoidData(8)).fitted);
-  foliation->SetSeparation(NaN);
-  foliation->SetStepSize(NaN);
+  foliation->SetSeparation(notANumber);
+  foliation->SetStepSize(notANumber);
   const MessageRecorder recorder(foliation);
   foliation->Update();
   EXPECT_EQ(recorder.NumberOfErrors(), 1u);
