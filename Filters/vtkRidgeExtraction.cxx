@@ -142,9 +142,8 @@ int vtkRidgeExtraction::RequestData(
     this->CrossingRule == FORM ? ridges::CrossingRule::Form : ridges::CrossingRule::Linear);
   search.SetTypeRule(
     this->TypeRule == FOURTH_ORDER ? ridges::TypeRule::FourthOrder : ridges::TypeRule::ThirdOrder);
-  search.SetExtremalityRule(this->ExtremalityRule == GAUSSIAN
-      ? ridges::ExtremalityRule::Gaussian
-      : ridges::ExtremalityRule::Principal);
+  search.SetExtremalityRule(this->ExtremalityRule == GAUSSIAN ? ridges::ExtremalityRule::Gaussian
+                                                              : ridges::ExtremalityRule::Principal);
   search.SetUsePatches(this->UmbilicJoining == PATCHES && this->ExtremalityRule == PRINCIPAL);
   search.SetLoopSignificance(this->LoopSignificance);
   search.SetShortestRun(
@@ -155,9 +154,8 @@ int vtkRidgeExtraction::RequestData(
   const bool gaussian = this->ExtremalityRule == GAUSSIAN;
   std::vector<ridges::RidgeTrace> blue;
   std::vector<ridges::RidgeTrace> red;
-  const bool finished =
-    ((!gaussian && !this->ExtractMaximum) ||
-      search.Find(this, ridges::Color::Blue, 0.1, 0.55, blue)) &&
+  const bool finished = ((!gaussian && !this->ExtractMaximum) ||
+                          search.Find(this, ridges::Color::Blue, 0.1, 0.55, blue)) &&
     (gaussian || !this->ExtractMinimum || search.Find(this, ridges::Color::Red, 0.55, 1.0, red));
   if (!finished)
   {
@@ -174,8 +172,8 @@ int vtkRidgeExtraction::RequestData(
   if (this->FindPurplePoints && !gaussian)
   {
     const auto purple = ridges::FindPurplePoints(triangles, blue, red);
-    StorePurplePoints(mesh, purple, static_cast<vtkIdType>(blue.size()),
-      vtkPolyData::GetData(outputVector, 1));
+    StorePurplePoints(
+      mesh, purple, static_cast<vtkIdType>(blue.size()), vtkPolyData::GetData(outputVector, 1));
   }
   return 1;
 }

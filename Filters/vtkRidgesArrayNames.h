@@ -88,6 +88,11 @@ constexpr const char* EdgePoint0 = "EdgePoint0";
 constexpr const char* EdgePoint1 = "EdgePoint1";
 constexpr const char* EdgeParameter = "EdgeParameter";
 ///@}
+
+/// @name Curvature lines, cell data, besides Closed and Length; point data is Curvature
+///@{
+constexpr const char* PrincipalDirection = "PrincipalDirection";
+///@}
 }
 
 #endif

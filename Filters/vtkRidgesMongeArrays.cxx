@@ -13,7 +13,7 @@
 
 namespace names = vtkRidgesArrayNames;
 
-std::string vtkRidgesMongeArrays::Fetch(vtkPolyData* mesh, bool needsFourthOrder)
+std::string vtkRidgesMongeArrays::FetchSecondOrder(vtkPolyData* mesh)
 {
   this->Faults.clear();
   this->Usable.assign(mesh->GetNumberOfPoints(), 1);
@@ -23,6 +23,15 @@ std::string vtkRidgesMongeArrays::Fetch(vtkPolyData* mesh, bool needsFourthOrder
   field.k2 = this->FetchArray(mesh, names::MinimumCurvature, 1);
   field.d1 = this->FetchArray(mesh, names::MaximumDirection, 3);
   field.d2 = this->FetchArray(mesh, names::MinimumDirection, 3);
+  this->FetchStatus(mesh);
+  return this->Faults;
+}
+
+std::string vtkRidgesMongeArrays::Fetch(vtkPolyData* mesh, bool needsFourthOrder)
+{
+  this->FetchSecondOrder(mesh);
+
+  ridges::MongeField& field = this->Field;
   field.b = this->FetchArray(mesh, names::ThirdOrder, 4);
   vtkPointData* pointData = mesh->GetPointData();
   const bool hasP = pointData->HasArray(names::P1) && pointData->HasArray(names::P2);
@@ -39,7 +48,11 @@ std::string vtkRidgesMongeArrays::Fetch(vtkPolyData* mesh, bool needsFourthOrder
   {
     this->Fault("FourthOrder (or P1 and P2)");
   }
+  return this->Faults;
+}
 
+void vtkRidgesMongeArrays::FetchStatus(vtkPolyData* mesh)
+{
   if (vtkDataArray* status = mesh->GetPointData()->GetArray(names::FitStatus))
   {
     for (vtkIdType p = 0; p < mesh->GetNumberOfPoints(); ++p)
@@ -50,7 +63,6 @@ std::string vtkRidgesMongeArrays::Fetch(vtkPolyData* mesh, bool needsFourthOrder
       }
     }
   }
-  return this->Faults;
 }
 
 void vtkRidgesMongeArrays::Fault(const std::string& text)

@@ -23,6 +23,9 @@ public:
    */
   std::string Fetch(vtkPolyData* mesh, bool needsFourthOrder);
 
+  /// The same for curvatures and directions alone.
+  std::string FetchSecondOrder(vtkPolyData* mesh);
+
   const ridges::MongeField& GetField() const { return this->Field; }
 
   /// Per point: 0 where the fit is invalid or a value is not finite.
@@ -30,6 +33,7 @@ public:
 
 private:
   void Fault(const std::string& text);
+  void FetchStatus(vtkPolyData* mesh);
   const double* FetchArray(vtkPolyData* mesh, const char* name, int components);
 
   ridges::MongeField Field;

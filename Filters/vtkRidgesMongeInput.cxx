@@ -7,15 +7,26 @@
 bool vtkRidgesMongeInput::Fetch(
   vtkAlgorithm* filter, vtkPolyData* input, bool needsFourthOrder, Unusable unusable)
 {
-  if (input->GetNumberOfPoints() > 0)
+  const bool isEmpty = input->GetNumberOfPoints() == 0;
+  return this->Build(
+    filter, input, isEmpty ? "" : this->arrays.Fetch(input, needsFourthOrder), unusable);
+}
+
+bool vtkRidgesMongeInput::FetchSecondOrder(vtkAlgorithm* filter, vtkPolyData* input)
+{
+  const bool isEmpty = input->GetNumberOfPoints() == 0;
+  return this->Build(
+    filter, input, isEmpty ? "" : this->arrays.FetchSecondOrder(input), Unusable::LeftOut);
+}
+
+bool vtkRidgesMongeInput::Build(
+  vtkAlgorithm* filter, vtkPolyData* input, const std::string& faults, Unusable unusable)
+{
+  if (!faults.empty())
   {
-    const std::string faults = this->arrays.Fetch(input, needsFourthOrder);
-    if (!faults.empty())
-    {
-      vtkErrorWithObjectMacro(
-        filter, "The mesh lacks point arrays that vtkJetFitting makes: " << faults << ".");
-      return false;
-    }
+    vtkErrorWithObjectMacro(
+      filter, "The mesh lacks point arrays that vtkJetFitting makes: " << faults << ".");
+    return false;
   }
   const std::vector<std::uint8_t> all;
   if (!this->mesh.Build(input, unusable == Unusable::Kept ? all : this->arrays.GetUsable()))

@@ -5,13 +5,16 @@
 #include "vtkRidgesMesh.h"
 #include "vtkRidgesMongeArrays.h"
 
+#include <string>
+
 class vtkAlgorithm;
 
 /**
  * A mesh with Monge arrays, as the filters behind vtkJetFitting take it in, private to the module.
  */
-struct vtkRidgesMongeInput
+class vtkRidgesMongeInput
 {
+public:
   /// Whether triangles stay that have points without a fit, or without finite values.
   enum class Unusable
   {
@@ -23,8 +26,15 @@ struct vtkRidgesMongeInput
   bool Fetch(vtkAlgorithm* filter, vtkPolyData* input, bool needsFourthOrder,
     Unusable unusable = Unusable::LeftOut);
 
+  /// The same for curvatures and directions alone.
+  bool FetchSecondOrder(vtkAlgorithm* filter, vtkPolyData* input);
+
   vtkRidgesMongeArrays arrays;
   vtkRidgesMesh mesh;
+
+private:
+  bool Build(
+    vtkAlgorithm* filter, vtkPolyData* input, const std::string& faults, Unusable unusable);
 };
 
 #endif

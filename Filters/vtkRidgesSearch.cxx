@@ -105,8 +105,8 @@ struct TraceRidges
     for (vtkIdType i = begin; i < end; ++i)
     {
       ridges::RidgeTrace& trace = this->traces[i];
-      trace = ridges::TraceRidge(this->ridges[i], this->segments, this->paths, this->crossings,
-        this->rule, this->umbilics);
+      trace = ridges::TraceRidge(
+        this->ridges[i], this->segments, this->paths, this->crossings, this->rule, this->umbilics);
       if (this->shortestRun > 0.0)
       {
         ridges::AbsorbShortRuns(trace, this->shortestRun);
@@ -118,8 +118,8 @@ struct TraceRidges
 
 } // namespace
 
-vtkRidgesSearch::vtkRidgesSearch(const vtkRidgesMesh& mesh, const ridges::MongeField& field,
-  const vtkRidgesUmbilicMarks& umbilics)
+vtkRidgesSearch::vtkRidgesSearch(
+  const vtkRidgesMesh& mesh, const ridges::MongeField& field, const vtkRidgesUmbilicMarks& umbilics)
   : Mesh(mesh)
   , Field(field)
   , Umbilics(umbilics)
@@ -188,9 +188,9 @@ bool vtkRidgesSearch::Find(vtkAlgorithm* filter, ridges::Color color, double fro
   {
     const ridges::SmallLoops smallLoops(
       crossings, vtkRidgesFetchFitErrors(this->Mesh.GetPolyData()), this->LoopSignificance);
-    whole.erase(std::remove_if(whole.begin(), whole.end(),
-                  [&](const ridges::Ridge& ridge)
-                  { return smallLoops.Contain(ridge, segments, paths); }),
+    whole.erase(
+      std::remove_if(whole.begin(), whole.end(),
+        [&](const ridges::Ridge& ridge) { return smallLoops.Contain(ridge, segments, paths); }),
       whole.end());
   }
   const ridges::UmbilicLookup lookup = this->MakeLookup();

@@ -27,8 +27,8 @@ public:
   void SetLoopSignificance(double significance) { this->LoopSignificance = significance; }
   void SetShortestRun(double length) { this->ShortestRun = length; }
 
-  /// The ridges of a colour, or with the Gaussian rule those of both, in canonical form and order. False if the user aborted the filter, whose progress
-  /// runs from `from` to `to`.
+  /// The ridges of a colour, or with the Gaussian rule those of both, in canonical form and order.
+  /// False if the user aborted the filter, whose progress runs from `from` to `to`.
   bool Find(vtkAlgorithm* filter, ridges::Color color, double from, double to,
     std::vector<ridges::RidgeTrace>& found) const;
 

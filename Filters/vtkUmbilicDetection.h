@@ -76,7 +76,7 @@
 #include "vtkFiltersRidgesModule.h" // For export macro
 #include "vtkPolyDataAlgorithm.h"
 
-struct vtkRidgesMongeInput;
+class vtkRidgesMongeInput;
 struct vtkRidgesUmbilicOutput;
 
 class VTKFILTERSRIDGES_EXPORT vtkUmbilicDetection : public vtkPolyDataAlgorithm

@@ -104,4 +104,18 @@ Sphere SmallestEnclosingSphere(const Eigen::Ref<const Eigen::Matrix3Xd>& points)
   }
 }
 
+Sphere SmallestEnclosingSphere(const TriangleMesh& mesh)
+{
+  Eigen::Matrix3Xd points(3, mesh.NumberOfPoints());
+  Eigen::Index used = 0;
+  for (Id p = 0; p < mesh.NumberOfPoints(); ++p)
+  {
+    if (mesh.TrianglesAround(p).size() > 0)
+    {
+      points.col(used++) = mesh.Point(p);
+    }
+  }
+  return SmallestEnclosingSphere(points.leftCols(used));
+}
+
 } // namespace ridges

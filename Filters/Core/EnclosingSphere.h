@@ -2,6 +2,8 @@
 #ifndef ridges_EnclosingSphere_h
 #define ridges_EnclosingSphere_h
 
+#include "TriangleMesh.h"
+
 #include <Eigen/Core>
 
 namespace ridges
@@ -19,6 +21,9 @@ struct Sphere
  * not change under rotation. All coordinates must be finite; no point gives radius 0.
  */
 Sphere SmallestEnclosingSphere(const Eigen::Ref<const Eigen::Matrix3Xd>& points);
+
+/// The same around the points that triangles have.
+Sphere SmallestEnclosingSphere(const TriangleMesh& mesh);
 
 } // namespace ridges
 

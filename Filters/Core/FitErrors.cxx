@@ -54,8 +54,8 @@ double ExtremalityError(
 {
   if (source.thirdOrderError)
   {
-    return source.thirdOrderError[4 * static_cast<std::size_t>(point) +
-      (color == Color::Blue ? 0 : 3)];
+    return source
+      .thirdOrderError[4 * static_cast<std::size_t>(point) + (color == Color::Blue ? 0 : 3)];
   }
   // The median over such fits is 25 on even meshes and 40 to 100 on scans.
   return FromResiduals<2>(mesh, source, 40.0, point);

@@ -164,8 +164,7 @@ void Ways::AddWay(Id from, Id region)
       {
         this->Nodes_[s].region = region;
       }
-      triangles.insert(
-        triangles.end(), this->Regions_[old].begin(), this->Regions_[old].end());
+      triangles.insert(triangles.end(), this->Regions_[old].begin(), this->Regions_[old].end());
       this->Regions_[old].clear();
     }
   }

@@ -16,9 +16,9 @@ struct Cancellation
 
 /**
  * Cancels umbilics of opposite index that noise has made: those with a way between them through
- * weak triangles, on which k1 - k2 does not differ significantly from 0, and those side by side. The
- * nearest go first, as measured along such ways, until no way joins two opposite ones. The sum of
- * the indices stays what it is, in each part of the mesh.
+ * weak triangles, on which k1 - k2 does not differ significantly from 0, and those side by side.
+ * The nearest go first, as measured along such ways, until no way joins two opposite ones. The sum
+ * of the indices stays what it is, in each part of the mesh.
  *
  * The result does not depend on the numbering of the mesh.
  */

@@ -21,8 +21,9 @@ PatchContour::PatchContour(const TriangleMesh& mesh, const std::vector<Id>& tria
 
 int PatchContour::SideOf(Id triangle, Id edge) const
 {
-  return this->Mesh_.EdgeOf(triangle, 0) == edge ? 0
-                                                 : (this->Mesh_.EdgeOf(triangle, 1) == edge ? 1 : 2);
+  return this->Mesh_.EdgeOf(triangle, 0) == edge
+    ? 0
+    : (this->Mesh_.EdgeOf(triangle, 1) == edge ? 1 : 2);
 }
 
 Id PatchContour::Across(Id triangle, Id edge) const
@@ -58,8 +59,7 @@ void PatchContour::GlueTree(Id root)
       const Id neighbor = this->Mesh_.Neighbor(reached[i], side);
       if (neighbor >= 0 && this->Contains(neighbor) && tree.count(neighbor) == 0)
       {
-        const int sideOfNeighbor =
-          this->SideOf(neighbor, this->Mesh_.EdgeOf(reached[i], side));
+        const int sideOfNeighbor = this->SideOf(neighbor, this->Mesh_.EdgeOf(reached[i], side));
         tree[reached[i]] |= 1U << side;
         tree[neighbor] = 1U << sideOfNeighbor;
         reached.push_back(neighbor);

@@ -26,8 +26,8 @@ std::vector<std::vector<EdgeCrossing>> PatchPaths::ToPoint(const std::vector<std
   }
   for (std::size_t i = 0; i < sides.size() && !straight; ++i)
   {
-    paths[i] = this->OverFewest(sides[i], target,
-      (static_cast<double>(i) + 1.0) / (static_cast<double>(sides.size()) + 1.0));
+    paths[i] = this->OverFewest(
+      sides[i], target, (static_cast<double>(i) + 1.0) / (static_cast<double>(sides.size()) + 1.0));
   }
   for (const auto& path : paths)
   {
@@ -83,8 +83,7 @@ bool PatchPaths::Straight(std::size_t side, const Eigen::Vector3d& from, Id targ
   return true;
 }
 
-std::vector<EdgeCrossing> PatchPaths::OverFewest(
-  std::size_t side, Id target, double fraction) const
+std::vector<EdgeCrossing> PatchPaths::OverFewest(std::size_t side, Id target, double fraction) const
 {
   // From the target, so that the ways of different sides run together once they meet.
   std::vector<Id> reached{ target };

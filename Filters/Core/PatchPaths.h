@@ -24,9 +24,9 @@ public:
   PatchPaths(const TriangleMesh& mesh, const PatchContour& contour);
 
   /**
-   * Straight paths, seen along the normal of the triangle `target`, from points on these sides of the
-   * contour to a point in it. If they cannot be straight, as the patch is folded
-   * or indented, they lead from triangle to triangle over the fewest.
+   * Straight paths, seen along the normal of the triangle `target`, from points on these sides of
+   * the contour to a point in it. If they cannot be straight, as the patch is folded or indented,
+   * they lead from triangle to triangle over the fewest.
    */
   std::vector<std::vector<EdgeCrossing>> ToPoint(const std::vector<std::size_t>& sides,
     const std::vector<Eigen::Vector3d>& points, Id target, const Eigen::Vector3d& position);

@@ -14,8 +14,7 @@ bool PatchRidges::IsSingular(Id triangle) const
   int crossed = 0;
   for (int side = 0; side < 3; ++side)
   {
-    crossed +=
-      this->Crossings_.IsCrossed(this->Crossings_.Mesh().EdgeOf(triangle, side)) ? 1 : 0;
+    crossed += this->Crossings_.IsCrossed(this->Crossings_.Mesh().EdgeOf(triangle, side)) ? 1 : 0;
   }
   return crossed % 2 != 0;
 }
@@ -67,8 +66,7 @@ bool PatchRidges::IsDrawnByMarching(
   const RidgePatch& patch, const std::vector<Crossing>& crossings) const
 {
   const auto isSingular = [this](Id t) { return this->IsSingular(t); };
-  const auto singular =
-    std::count_if(patch.triangles.begin(), patch.triangles.end(), isSingular);
+  const auto singular = std::count_if(patch.triangles.begin(), patch.triangles.end(), isSingular);
   if (patch.umbilic == RidgePatch::NoUmbilic || !this->IsSingular(patch.umbilic))
   {
     return singular == 0;
@@ -117,8 +115,7 @@ PatchRidges::Joints PatchRidges::Join(const RidgePatch& patch, const PatchContou
       const Id from = left[i];
       const Id to = left[(i + 1) % left.size()];
       const std::size_t count = contour.Sides().size();
-      const std::size_t steps =
-        (crossings[to].side + count - crossings[from].side) % count;
+      const std::size_t steps = (crossings[to].side + count - crossings[from].side) % count;
       const double value = cost(from, to);
       if (value < least || (value == least && steps < fewest))
       {
@@ -169,8 +166,8 @@ void PatchRidges::Draw(const RidgePatch& patch, std::vector<RidgeSegment>& segme
     for (const EdgeCrossing& crossing : through)
     {
       path.edges.push_back(crossing.edge);
-      path.points.push_back(RidgePointAt(
-        mesh, this->Crossings_.Field(), color, crossing.edge, crossing.parameter));
+      path.points.push_back(
+        RidgePointAt(mesh, this->Crossings_.Field(), color, crossing.edge, crossing.parameter));
     }
     segments.push_back({ triangle, edge0, edge1, type, static_cast<Id>(paths.size()) });
     paths.push_back(std::move(path));
@@ -182,12 +179,11 @@ void PatchRidges::Draw(const RidgePatch& patch, std::vector<RidgeSegment>& segme
   {
     starts.push_back(this->Crossings_.PointOn(edgeOf(side)).position);
   }
-  const auto toUmbilic =
-    layout.ToPoint(joints.toUmbilic, starts, patch.umbilic, patch.position);
+  const auto toUmbilic = layout.ToPoint(joints.toUmbilic, starts, patch.umbilic, patch.position);
   for (std::size_t i = 0; i < toUmbilic.size(); ++i)
   {
-    add(patch.umbilic, edgeOf(joints.toUmbilic[i]), RidgeSegment::ToUmbilic,
-      TypeOf(color, false), toUmbilic[i]);
+    add(patch.umbilic, edgeOf(joints.toUmbilic[i]), RidgeSegment::ToUmbilic, TypeOf(color, false),
+      toUmbilic[i]);
   }
   for (const Pair& pair : joints.pairs)
   {

@@ -29,8 +29,8 @@ Passages PassagesOf(const std::vector<RidgeTrace>& ridges)
       const RidgeVertex& vertex = ridges[r].vertices[i];
       if (vertex.edge != RidgeVertex::None)
       {
-        const auto inserted = passages.insert(
-          { vertex.edge, { static_cast<Id>(r), vertex.point.parameter, true } });
+        const auto inserted =
+          passages.insert({ vertex.edge, { static_cast<Id>(r), vertex.point.parameter, true } });
         inserted.first->second.once = inserted.second;
       }
     }
@@ -86,8 +86,8 @@ Eigen::Vector2d OnContour(double way)
 
 } // namespace
 
-std::vector<PurplePoint> FindPurplePoints(const TriangleMesh& mesh,
-  const std::vector<RidgeTrace>& blue, const std::vector<RidgeTrace>& red)
+std::vector<PurplePoint> FindPurplePoints(
+  const TriangleMesh& mesh, const std::vector<RidgeTrace>& blue, const std::vector<RidgeTrace>& red)
 {
   const Passages bluePassages = PassagesOf(blue);
   const Passages redPassages = PassagesOf(red);

@@ -4,9 +4,8 @@
 namespace ridges
 {
 
-RidgeCrossings::RidgeCrossings(
-  const TriangleMesh& mesh, const MongeField& field, Color color, CrossingRule rule,
-  ExtremalityRule extremality)
+RidgeCrossings::RidgeCrossings(const TriangleMesh& mesh, const MongeField& field, Color color,
+  CrossingRule rule, ExtremalityRule extremality)
   : Mesh_(mesh)
   , Field_(field)
   , Color_(color)

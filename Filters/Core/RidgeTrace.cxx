@@ -316,7 +316,8 @@ void MakeCanonical(RidgeTrace& trace)
     bool startsRun = false;
     for (std::size_t i = 0; i < count; ++i)
     {
-      const bool here = !AreAlike(trace, static_cast<Id>((i + count - 1) % count), static_cast<Id>(i));
+      const bool here =
+        !AreAlike(trace, static_cast<Id>((i + count - 1) % count), static_cast<Id>(i));
       const bool comesFirst = Compare(trace.vertices[i], trace.vertices[start]) < 0;
       if ((here && !startsRun) || (here == startsRun && comesFirst))
       {

@@ -100,8 +100,7 @@ bool SmallLoops::Contain(const Ridge& ridge, const std::vector<RidgeSegment>& se
   {
     const std::vector<Id> inside = this->PointsBehind(start, fence);
     if (inside.size() <= MostPoints && !IsIn(inside, start == edge.v0 ? edge.v1 : edge.v0) &&
-      std::all_of(
-        inside.begin(), inside.end(), [this](Id p) { return this->IsInsignificant(p); }))
+      std::all_of(inside.begin(), inside.end(), [this](Id p) { return this->IsInsignificant(p); }))
     {
       return true;
     }

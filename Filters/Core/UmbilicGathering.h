@@ -39,8 +39,8 @@ public:
 private:
   bool IsUsable(Id triangle) const;
   std::vector<double> HalfWaysToNext() const;
-  std::vector<Id> ChoosePatch(const IndexCharge& charge, int ridgeCount, double radius,
-    double halfWay);
+  std::vector<Id> ChoosePatch(
+    const IndexCharge& charge, int ridgeCount, double radius, double halfWay);
 
   const TriangleMesh& Mesh_;
   MongeField Field_;
@@ -54,8 +54,8 @@ private:
 
 /**
  * Connected triangles on which k1 - k2 is nowhere significant, as on spheres and planes: what is
- * inside is neither an umbilic nor free of them, but undecided. Those without a point that is inside
- * are too small to speak of and left out.
+ * inside is neither an umbilic nor free of them, but undecided. Those without a point that is
+ * inside are too small to speak of and left out.
  */
 std::vector<std::vector<Id>> WeakZones(
   const TriangleMesh& mesh, const std::vector<std::uint8_t>& isWeak);

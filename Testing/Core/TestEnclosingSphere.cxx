@@ -195,3 +195,12 @@ TEST(EnclosingSphere, OfMeshesIsThatOfTheirSurfaceAndDoesNotTurn)
   const Matrix3Xd turned = (7.0 * GenericRotation() * ellipsoid).colwise() + Vector3d(1, -2, 3);
   EXPECT_NEAR(SmallestEnclosingSphere(turned).radius / 7.0, sphere.radius, RoundOff);
 }
+
+TEST(EnclosingSphere, OfAMeshLeavesOutPointsOfNoTriangle)
+{
+  Mesh mesh = Icosphere(3);
+  mesh.AddPoint({ 100.0, 0.0, 0.0 });
+  mesh.AddPoint({ std::numeric_limits<double>::quiet_NaN(), 0.0, 0.0 });
+  EXPECT_NEAR(SmallestEnclosingSphere(MeshedSurface(mesh).Triangles()).radius, 1.0, RoundOff);
+  EXPECT_EQ(SmallestEnclosingSphere(TriangleMesh()).radius, 0.0);
+}

@@ -111,8 +111,8 @@ TEST(RidgeTrace, TurnsWherePVanishes)
           ++turns;
           const RidgePoint& a = trace.vertices[i - 1].point;
           const RidgePoint& b = trace.vertices[i + 1].point;
-          const double t = (vertex.point.position - a.position).norm() /
-            (b.position - a.position).norm();
+          const double t =
+            (vertex.point.position - a.position).norm() / (b.position - a.position).norm();
           ASSERT_NEAR((1.0 - t) * a.P + t * b.P, 0.0, 1e-9 * (std::abs(a.P) + std::abs(b.P)));
           ASSERT_NE(trace.types[i], trace.types[i - 1]);
         }

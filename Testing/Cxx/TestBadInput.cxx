@@ -12,6 +12,7 @@
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
+#include "vtkPrincipalFoliation.h"
 #include "vtkRidgeExtraction.h"
 #include "vtkRidgeSharpnessFilter.h"
 #include "vtkRidgesArrayNames.h"
@@ -32,8 +33,8 @@ class BadInput : public ::testing::Test
 {
 };
 
-using AllFilters =
-  ::testing::Types<vtkJetFitting, vtkUmbilicDetection, vtkRidgeExtraction, vtkRidgeSharpnessFilter>;
+using AllFilters = ::testing::Types<vtkJetFitting, vtkUmbilicDetection, vtkRidgeExtraction,
+  vtkRidgeSharpnessFilter, vtkPrincipalFoliation>;
 TYPED_TEST_SUITE(BadInput, AllFilters);
 
 template <typename Filter>

@@ -12,13 +12,20 @@ from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
 
 from vtkridges import (
     vtkJetFitting,
+    vtkPrincipalFoliation,
     vtkRidgeExampleSource,
     vtkRidgeExtraction,
     vtkRidgeSharpnessFilter,
     vtkUmbilicDetection,
 )
 
-FILTERS = [vtkJetFitting, vtkUmbilicDetection, vtkRidgeExtraction, vtkRidgeSharpnessFilter]
+FILTERS = [
+    vtkJetFitting,
+    vtkUmbilicDetection,
+    vtkRidgeExtraction,
+    vtkRidgeSharpnessFilter,
+    vtkPrincipalFoliation,
+]
 
 
 class Recorder:

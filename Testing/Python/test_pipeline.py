@@ -47,6 +47,7 @@ class TestPackage(unittest.TestCase):
     def test_exports_every_class(self):
         expected = {
             "vtkJetFitting",
+            "vtkPrincipalFoliation",
             "vtkRidgeExampleSource",
             "vtkRidgeExtraction",
             "vtkRidgeSharpnessFilter",
