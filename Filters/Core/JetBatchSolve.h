@@ -71,9 +71,10 @@ struct NormalEquations
 #pragma GCC unroll 15
     for (int row = Size - 1; row >= 0; --row)
     {
+      // The latest value comes last, so that only its product has to be waited for.
       x[row] *= this->inverseD[row];
 #pragma GCC unroll 15
-      for (int below = row + 1; below < Size; ++below)
+      for (int below = Size - 1; below > row; --below)
       {
         x[row] -= this->L[below][row] * x[below];
       }
