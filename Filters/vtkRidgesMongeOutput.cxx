@@ -31,6 +31,19 @@ void Put(double* values, vtkIdType p, double value)
   }
 }
 
+/// Values of a lane, `lanes` apart.
+template <int Components>
+void Put(double* values, vtkIdType p, const double* batch, int lanes, int lane)
+{
+  if (values)
+  {
+    for (int i = 0; i < Components; ++i)
+    {
+      values[Components * p + i] = batch[i * lanes + lane];
+    }
+  }
+}
+
 } // namespace
 
 vtkRidgesMongeOutput::vtkRidgesMongeOutput(vtkIdType count, int order, bool standardErrors)
@@ -77,6 +90,24 @@ void vtkRidgesMongeOutput::Store(vtkIdType p, const ridges::MongeForm& form, con
   Put(this->Residual, p, quality.residual);
   Put(this->Scale, p, quality.radius);
   this->Status[p] = quality.status;
+}
+
+void vtkRidgesMongeOutput::Store(
+  vtkIdType p, const ridges::JetBatch& batch, int lanes, int lane, int status)
+{
+  Put<3>(this->Normals, p, batch.n, lanes, lane);
+  Put<3>(this->MaximumDirection, p, batch.d1, lanes, lane);
+  Put<3>(this->MinimumDirection, p, batch.d2, lanes, lane);
+  Put<4>(this->ThirdOrder, p, batch.b, lanes, lane);
+  Put<5>(this->FourthOrder, p, batch.c, lanes, lane);
+  Put<1>(this->MaximumCurvature, p, batch.k1, lanes, lane);
+  Put<1>(this->MinimumCurvature, p, batch.k2, lanes, lane);
+  Put<1>(this->P1, p, batch.P1, lanes, lane);
+  Put<1>(this->P2, p, batch.P2, lanes, lane);
+  Put<1>(this->ConditionNumber, p, batch.conditionNumber, lanes, lane);
+  Put<1>(this->Residual, p, batch.residual, lanes, lane);
+  Put<1>(this->Scale, p, batch.radius, lanes, lane);
+  this->Status[p] = status;
 }
 
 void vtkRidgesMongeOutput::StoreErrors(vtkIdType p, const ridges::JetErrors& errors)

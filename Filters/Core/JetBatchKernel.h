@@ -19,20 +19,26 @@ inline void FitDegree(ridges::JetBatch& batch)
   constexpr int size = NumberOfMonomials(Degree);
   constexpr int order = 2 * Degree;
 
-  const Frame frame = PrincipalFrame(batch);
-  const Vec perRadius = 1.0 / frame.radius;
   LocalPoints points;
   points.rows = batch.rows;
   points.weights = batch.weights;
+  const Frame frame = PrincipalFrame(batch, points.at);
+  const Vec perRadius = 1.0 / frame.radius;
   const Vec3 u = perRadius * frame.u;
   const Vec3 v = perRadius * frame.v;
   const Vec3 n = perRadius * frame.n;
-  for (int row = 0; row < batch.rows; ++row)
+  for (int row = 1; row < batch.rows; ++row)
   {
-    const Vec3 offset = Load3(batch.offsets + 3 * row * Lanes);
-    points.u[row] = Dot(u, offset);
-    points.v[row] = Dot(v, offset);
-    points.height[row] = Dot(n, offset);
+    const Vec3 offset = points.at[row];
+    points.at[row] = { Dot(u, offset), Dot(v, offset), Dot(n, offset) };
+  }
+  if (!batch.weighted)
+  {
+    const Vec counts = Load(batch.counts);
+    for (int row = 0; row < batch.rows; ++row)
+    {
+      Store(batch.weights + row * Lanes, Broadcast(row) < counts ? Broadcast(1.0) : Vec{});
+    }
   }
 
   // In two passes, as the sums of one would not fit in the registers.
@@ -44,21 +50,20 @@ inline void FitDegree(ridges::JetBatch& batch)
 
   Vec coefficients[size];
   Project<Degree>(
-    points, [&](int row) { return Load(batch.weights + row * Lanes) * points.height[row]; },
-    coefficients);
+    points, Vec{}, [&](int row) { return points.Weight(row) * points.at[row].z; }, coefficients);
   equations.Solve(coefficients);
 
   // Iterative refinement: what the polynomial misses at the points, fitted once more.
-  Vec squares{};
-  Vec totalWeight{};
+  Vec totalWeight = points.Weight(0);
+  Vec squares = totalWeight * coefficients[0] * coefficients[0];
   Vec corrections[size];
   Project<Degree>(
-    points,
+    points, -totalWeight * coefficients[0],
     [&](int row)
     {
-      const Vec weight = Load(batch.weights + row * Lanes);
-      const Vec missed =
-        points.height[row] - Evaluate<Degree>(coefficients, points.u[row], points.v[row]);
+      const Vec weight = points.Weight(row);
+      const Vec3& p = points.at[row];
+      const Vec missed = p.z - Evaluate<Degree>(coefficients, p.x, p.y);
       squares += weight * missed * missed;
       totalWeight += weight;
       return weight * missed;
@@ -70,11 +75,13 @@ inline void FitDegree(ridges::JetBatch& batch)
     coefficients[k] += corrections[k];
   }
 
-  Store(batch.residual, Sqrt(squares / totalWeight));
+  const Vec residual = Sqrt(squares / totalWeight);
+  Store(batch.residual, residual);
   Store(batch.conditionNumber, Sqrt(equations.largestPivot / equations.smallestPivot));
   Store(batch.radius, frame.radius);
-  Store(batch.pivotRatio, frame.failed ? Vec{} : equations.pivotRatio);
-  StoreMongeForm<Degree>(batch, frame, coefficients, perRadius);
+  const Vec zeros = StoreMongeForm<Degree>(batch, frame, coefficients, perRadius);
+  const auto good = equations.excess > 0.0 && !frame.failed && zeros + 0.0 * residual == 0.0;
+  Store(batch.good, good ? Broadcast(1.0) : Vec{});
 }
 
 inline void FitLanes(ridges::JetBatch& batch)

@@ -28,14 +28,15 @@ constexpr int NumberOfMonomials(int degree)
   return (degree + 1) * (degree + 2) / 2;
 }
 
-/// The points of the neighbourhoods in their frames, in units of the radius.
+/// The points of the neighbourhoods in their frames, in units of the radius: u, v and the height.
+/// The first is the vertex, which is the origin.
 struct LocalPoints
 {
   int rows;
-  Vec u[ridges::JetBatch::MaximumRows];
-  Vec v[ridges::JetBatch::MaximumRows];
-  Vec height[ridges::JetBatch::MaximumRows];
+  Vec3 at[ridges::JetBatch::MaximumRows + 1];
   const double* weights;
+
+  Vec Weight(int row) const { return Load(this->weights + row * Lanes); }
 };
 
 /// The sums of w u^i v^j with i + j <= Order and j in [First, Last].
@@ -43,10 +44,14 @@ template <int Order, int First, int Last>
 inline void AddMoments(const LocalPoints& points, Vec (&moments)[Order + 1][Order + 1])
 {
   Vec sums[Last - First + 1][Order - First + 1]{};
-  for (int row = 0; row < points.rows; ++row)
+  if (First == 0)
   {
-    const Vec u = points.u[row];
-    const Vec v = points.v[row];
+    sums[0][0] = points.Weight(0);
+  }
+  for (int row = 1; row < points.rows; ++row)
+  {
+    const Vec u = points.at[row].x;
+    const Vec v = points.at[row].y;
     Vec powersOfV[Last - First + 1]; // from v^0
     powersOfV[0] = Broadcast(1.0);
 #pragma GCC unroll 8
@@ -54,7 +59,7 @@ inline void AddMoments(const LocalPoints& points, Vec (&moments)[Order + 1][Orde
     {
       powersOfV[j] = powersOfV[j - 1] * v;
     }
-    Vec power = Load(points.weights + row * Lanes); // w v^First u^i
+    Vec power = points.Weight(row); // w v^First u^i
 #pragma GCC unroll 8
     for (int j = 0; j < First; ++j)
     {
@@ -84,16 +89,17 @@ inline void AddMoments(const LocalPoints& points, Vec (&moments)[Order + 1][Orde
   }
 }
 
-/// The sums of value(row) u^i v^j over the rows.
+/// The sums of value(row) u^i v^j over the rows, with the value at the vertex given.
 template <int Degree, typename Value>
-inline void Project(const LocalPoints& points, Value value, Vec* sums)
+inline void Project(const LocalPoints& points, const Vec& atVertex, Value value, Vec* sums)
 {
   constexpr int size = NumberOfMonomials(Degree);
   Vec local[size]{};
-  for (int row = 0; row < points.rows; ++row)
+  local[0] = atVertex;
+  for (int row = 1; row < points.rows; ++row)
   {
-    const Vec u = points.u[row];
-    const Vec v = points.v[row];
+    const Vec u = points.at[row].x;
+    const Vec v = points.at[row].y;
     Vec powersOfV[Degree + 1];
     powersOfV[0] = Broadcast(1.0);
 #pragma GCC unroll 5

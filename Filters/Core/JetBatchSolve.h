@@ -16,13 +16,13 @@ struct NormalEquations
 
   Vec L[Size][Size];
   Vec inverseD[Size];
-  Vec pivotRatio;
+  Vec excess; ///< Least of what pivots have above SmallestPivotRatio.
   Vec largestPivot;
   Vec smallestPivot;
 
   inline void Factor(const Vec (&moments)[2 * Degree + 1][2 * Degree + 1])
   {
-    this->pivotRatio = Broadcast(1.0);
+    this->excess = moments[0][0];
     this->largestPivot = moments[0][0];
     this->smallestPivot = moments[0][0];
 #pragma GCC unroll 15
@@ -50,7 +50,9 @@ struct NormalEquations
         this->L[row][column] = scaled[column] * this->inverseD[column];
         pivot -= scaled[column] * this->L[row][column];
       }
-      this->pivotRatio = Min(this->pivotRatio, pivot / diagonal);
+      // Not finite once means not finite in the last row.
+      this->excess =
+        Min(this->excess, pivot - ridges::JetBatchKernel::SmallestPivotRatio * diagonal);
       this->largestPivot = Max(this->largestPivot, pivot);
       this->smallestPivot = Min(this->smallestPivot, pivot);
       this->inverseD[row] = 1.0 / pivot;

@@ -94,6 +94,11 @@ OrderedRings::Kind OrderedRings::BuildRing(Id p, Id* ring, Id& size) const
   size = count;
   if (to[count - 1] != from[0])
   {
+    if (std::find(from.begin(), from.begin() + count, to[count - 1]) != from.begin() + count)
+    {
+      size = 0;
+      return this->KindOfIrregular(p);
+    }
     std::copy_n(from.begin(), count, ring);
     ring[count] = to[count - 1];
     ++size;

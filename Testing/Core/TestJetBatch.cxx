@@ -30,43 +30,50 @@ using Eigen::Vector3d;
 struct BatchFit
 {
   MongeForm form;
+  double P1 = 0.0;
+  double P2 = 0.0;
   double conditionNumber = 0.0;
   double residual = 0.0;
+  double radius = 0.0;
   bool good = false;
 };
 
-// All points of a mesh, in batches of as many as there are lanes from `first` on.
+// Fits what has been added.
+void FitAdded(JetBatchFiller& filler, const JetBatchKernel& kernel, std::vector<BatchFit>& fits)
+{
+  filler.Fit(kernel,
+    [&](const JetBatch& batch, int lane, Id vertex)
+    {
+      BatchFit& fit = fits[vertex];
+      fit.good = TakeResult(batch, kernel.lanes, lane, fit.form);
+      fit.P1 = batch.P1[lane];
+      fit.P2 = batch.P2[lane];
+      fit.conditionNumber = batch.conditionNumber[lane];
+      fit.residual = batch.residual[lane];
+      fit.radius = batch.radius[lane];
+    });
+}
+
+// All points of a mesh, from `first` on.
 std::vector<BatchFit> FitAll(const TriangleMesh& mesh, const JetBatchKernel& kernel, int degree,
-  int minimumNumberOfPoints, Id first = 0)
+  int minimumNumberOfPoints, Id first = 0, Weighting weighting = Weighting::Uniform)
 {
   const OrderedRings rings = RingsOf(mesh);
   RingNeighborhood neighborhood(mesh, rings);
   NeighborhoodRule rule;
   rule.minimumNumberOfPoints = minimumNumberOfPoints;
   std::vector<BatchFit> fits(mesh.NumberOfPoints());
-  JetBatchFiller filler(degree, kernel.lanes);
-  const auto flush = [&]()
-  {
-    kernel.fit(filler.Complete());
-    for (int lane = 0; lane < filler.Size(); ++lane)
-    {
-      BatchFit& fit = fits[filler.Vertex(lane)];
-      fit.good = filler.Result(lane, fit.form, fit.conditionNumber, fit.residual);
-    }
-    filler.Clear();
-  };
+  JetBatchFiller filler(mesh, rings, degree, weighting);
   for (Id i = 0; i < mesh.NumberOfPoints(); ++i)
   {
     const Id p = (i + first) % mesh.NumberOfPoints();
-    if (filler.Add(mesh, p, neighborhood.Gather(p, rule)) && filler.IsFull())
+    filler.Add(p, neighborhood.Gather(p, rule));
+    if (filler.IsFull())
     {
-      flush();
+      FitAdded(filler, kernel, fits);
     }
   }
-  if (!filler.IsEmpty())
-  {
-    flush();
-  }
+  FitAdded(filler, kernel, fits);
   return fits;
 }
 
@@ -228,6 +235,8 @@ TEST(JetBatch, DoesNotDependOnTheBatchAVertexCameIn)
       ASSERT_EQ(fits[p].form.d1, shifted[p].form.d1);
       ASSERT_EQ(fits[p].form.b, shifted[p].form.b);
       ASSERT_EQ(fits[p].form.c, shifted[p].form.c);
+      ASSERT_EQ(fits[p].P1, shifted[p].P1);
+      ASSERT_EQ(fits[p].P2, shifted[p].P2);
       ASSERT_EQ(fits[p].residual, shifted[p].residual);
       ASSERT_EQ(fits[p].conditionNumber, shifted[p].conditionNumber);
     }
@@ -313,12 +322,12 @@ TEST(JetBatch, LeavesWhatItCannotDoToTheSolverForSinglePoints)
   }
 
   // Too many and too few points, and points on a line.
-  JetBatchFiller filler(4, 2);
-  const MeshedSurface line(GraphPatch([](double, double) { return 0.0; }, 1.0, 20));
+  const OrderedRings rings = RingsOf(mesh);
+  JetBatchFiller filler(mesh, rings, 4);
   const std::vector<Id> many(JetBatch::MaximumRows + 1, 0);
   const std::vector<Id> few(14, 0);
-  EXPECT_FALSE(filler.Add(mesh, 0, { many.data(), many.data() + many.size() }));
-  EXPECT_FALSE(filler.Add(mesh, 0, { few.data(), few.data() + few.size() }));
+  EXPECT_FALSE(filler.Add(0, { many.data(), many.data() + many.size() }));
+  EXPECT_FALSE(filler.Add(0, { few.data(), few.data() + few.size() }));
   EXPECT_TRUE(filler.IsEmpty());
 }
 
@@ -334,33 +343,52 @@ TEST(JetBatch, WeightedFitsAgreeWithTheSolverForSinglePoints)
   JetFitter fitter;
   for (const JetBatchKernel& kernel : JetBatchKernels())
   {
-    JetBatchFiller filler(4, kernel.lanes, Weighting::Gaussian);
+    const auto fits = FitAll(mesh, kernel, 4, 30, 0, Weighting::Gaussian);
     for (Id p = 0; p < mesh.NumberOfPoints(); ++p)
     {
-      ASSERT_TRUE(filler.Add(mesh, p, neighborhood.Gather(p, rule)));
-      if (!filler.IsFull() && p + 1 < mesh.NumberOfPoints())
+      const JetFit fit = fitter.Fit(
+        OffsetsAround(mesh, p, neighborhood, rule), 4, mesh.PointNormal(p), Weighting::Gaussian);
+      const MongeForm expected = MongeFormOfHeightJet(fit.jet, fit.frame);
+      ASSERT_TRUE(fits[p].good);
+      // Round-off, magnified by condition numbers of up to some hundreds.
+      const double k = std::abs(expected.k2);
+      ASSERT_NEAR(fits[p].form.k1, expected.k1, 1e-10 * k);
+      ASSERT_NEAR(fits[p].form.k2, expected.k2, 1e-10 * k);
+      ASSERT_NEAR(fits[p].residual, fit.residual, 1e-13);
+      ASSERT_NEAR(fits[p].radius, fit.radius, 1e-15);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST(JetBatch, NormalsPointToTheSideOfTheFan)
+{
+  // Open fans, closed ones, and, with the neighbourhoods cut off, normals that are given.
+  const MeshedSurface surface(
+    GraphPatch([](double x, double y) { return 0.3 * x * x - 0.2 * y * y; }, 1.0, 12));
+  const TriangleMesh& mesh = surface.Triangles();
+  const OrderedRings rings = RingsOf(mesh);
+  RingNeighborhood neighborhood(mesh, rings);
+  NeighborhoodRule rule;
+  rule.minimumNumberOfPoints = 30;
+  for (const JetBatchKernel& kernel : JetBatchKernels())
+  {
+    for (const bool wholeRings : { true, false })
+    {
+      std::vector<BatchFit> fits(mesh.NumberOfPoints());
+      JetBatchFiller filler(mesh, rings, 4);
+      for (Id p = 0; p < mesh.NumberOfPoints(); ++p)
       {
-        continue;
+        ASSERT_TRUE(filler.Add(p, neighborhood.Gather(p, rule), wholeRings));
+        if (filler.IsFull() || p + 1 == mesh.NumberOfPoints())
+        {
+          FitAdded(filler, kernel, fits);
+        }
       }
-      kernel.fit(filler.Complete());
-      for (int lane = 0; lane < filler.Size(); ++lane)
+      for (Id p = 0; p < mesh.NumberOfPoints(); ++p)
       {
-        const Id vertex = filler.Vertex(lane);
-        const JetFit fit = fitter.Fit(OffsetsAround(mesh, vertex, neighborhood, rule), 4,
-          mesh.PointNormal(vertex), Weighting::Gaussian);
-        const MongeForm expected = MongeFormOfHeightJet(fit.jet, fit.frame);
-        MongeForm form;
-        double conditionNumber = 0.0;
-        double residual = 0.0;
-        ASSERT_TRUE(filler.Result(lane, form, conditionNumber, residual));
-        // Round-off, magnified by condition numbers of up to some hundreds.
-        const double k = std::abs(expected.k2);
-        ASSERT_NEAR(form.k1, expected.k1, 1e-10 * k);
-        ASSERT_NEAR(form.k2, expected.k2, 1e-10 * k);
-        ASSERT_NEAR(residual, fit.residual, 1e-13);
-        ASSERT_NEAR(filler.Radius(lane), fit.radius, 1e-15);
+        ASSERT_GT(fits[p].form.n.dot(mesh.PointNormal(p)), 0.0);
       }
-      filler.Clear();
     }
   }
 }
