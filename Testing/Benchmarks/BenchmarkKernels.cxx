@@ -56,7 +56,7 @@ private:
         { static_cast<Id>(corners[0]), static_cast<Id>(corners[1]), static_cast<Id>(corners[2]) });
     }
     return TriangleMesh(this->points.data(), static_cast<Id>(polyData->GetNumberOfPoints()),
-      std::move(triangles), TriangleMesh::Edges::NotBuilt);
+      triangles, TriangleMesh::Edges::NotBuilt);
   }
 };
 
