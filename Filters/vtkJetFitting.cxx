@@ -92,12 +92,6 @@ struct TryScales
 /// One text for all that is wrong with the mesh or the fits; empty if all is well.
 std::string Complaint(vtkRidgesMesh& mesh, const ridges::OrderedRings& rings, vtkIntArray* status)
 {
-  // Edges are at fault only where fans are.
-  const ridges::TriangleMesh& triangles = mesh.GetTriangles();
-  if (rings.HasIrregular())
-  {
-    mesh.BuildEdges();
-  }
   const auto count = [status](int bit)
   {
     vtkIdType sum = 0;
@@ -120,10 +114,16 @@ std::string Complaint(vtkRidgesMesh& mesh, const ridges::OrderedRings& rings, vt
   say(mesh.GetNumberOfTriangulatedCells(), "polygons or strips were triangulated");
   say(mesh.GetNumberOfUnusableTriangles(),
     "triangles were left out (a repeated corner, or a point that is missing or not finite)");
-  say(triangles.NumberOfNonManifoldEdges(),
-    "edges with more than two triangles were taken as borders");
-  say(triangles.NumberOfInconsistentEdges(),
-    "edges lie between triangles of opposite orientation (vtkPolyDataNormals can mend that)");
+  // Edges are at fault only where fans are.
+  if (rings.HasIrregular())
+  {
+    mesh.BuildEdges();
+    const ridges::TriangleMesh& triangles = mesh.GetTriangles();
+    say(triangles.NumberOfNonManifoldEdges(),
+      "edges with more than two triangles were taken as borders");
+    say(triangles.NumberOfInconsistentEdges(),
+      "edges lie between triangles of opposite orientation (vtkPolyDataNormals can mend that)");
+  }
   say(invalid,
     "points have no fit (isolated, or too few or collinear neighbours): their values are 0");
   say(tooFew, "points have fewer neighbours than coefficients");
@@ -229,6 +229,7 @@ int vtkJetFitting::RequestData(
   output->ShallowCopy(mesh.GetPolyData());
   arrays.AddTo(output->GetPointData());
   RemoveUmbilics(output);
+  mesh.HandOnWith(output);
   return 1;
 }
 

@@ -90,6 +90,7 @@ void MarkOnMesh(
   const vtkRidgesMesh& mesh, const std::vector<ridges::Umbilic>& umbilics, vtkPolyData* output)
 {
   output->ShallowCopy(mesh.GetPolyData());
+  mesh.HandOnWith(output);
 
   auto patch = MakeArray<vtkIdTypeArray>(names::UmbilicPatch);
   patch->SetNumberOfTuples(output->GetNumberOfCells());
