@@ -43,7 +43,17 @@ struct LocalPoints
 template <int Order, int First, int Last>
 inline void AddMoments(const LocalPoints& points, Vec (&moments)[Order + 1][Order + 1])
 {
-  Vec sums[Last - First + 1][Order - First + 1]{};
+  // Unrolled to the last, so that sums live in registers from zero to the end.
+  Vec sums[Last - First + 1][Order - First + 1];
+#pragma GCC unroll 8
+  for (int j = 0; j <= Last - First; ++j)
+  {
+#pragma GCC unroll 9
+    for (int i = 0; i <= Order - First; ++i)
+    {
+      sums[j][i] = Vec{};
+    }
+  }
   if (First == 0)
   {
     sums[0][0] = points.Weight(0);
@@ -80,8 +90,10 @@ inline void AddMoments(const LocalPoints& points, Vec (&moments)[Order + 1][Orde
       power *= u;
     }
   }
+#pragma GCC unroll 8
   for (int j = First; j <= Last; ++j)
   {
+#pragma GCC unroll 9
     for (int i = 0; i + j <= Order; ++i)
     {
       moments[j][i] = sums[j - First][i];
@@ -94,8 +106,13 @@ template <int Degree, typename Value>
 inline void Project(const LocalPoints& points, const Vec& atVertex, Value value, Vec* sums)
 {
   constexpr int size = NumberOfMonomials(Degree);
-  Vec local[size]{};
+  Vec local[size];
   local[0] = atVertex;
+#pragma GCC unroll 15
+  for (int k = 1; k < size; ++k)
+  {
+    local[k] = Vec{};
+  }
   for (int row = 1; row < points.rows; ++row)
   {
     const Vec u = points.at[row].x;
@@ -120,6 +137,7 @@ inline void Project(const LocalPoints& points, const Vec& atVertex, Value value,
       power *= u;
     }
   }
+#pragma GCC unroll 15
   for (int k = 0; k < size; ++k)
   {
     sums[k] = local[k];

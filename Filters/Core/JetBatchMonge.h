@@ -25,6 +25,7 @@ template <int Order>
 inline LaneTensor<Order - 1> Contract(const LaneTensor<Order>& tensor, const Axis& w)
 {
   LaneTensor<Order - 1> result;
+#pragma GCC unroll 5
   for (int j = 0; j < Order; ++j)
   {
     result.values[j] = tensor.values[j] * w.u + tensor.values[j + 1] * w.v;
@@ -45,6 +46,7 @@ inline LaneTensor<Order> InBasis(const LaneTensor<Order>& tensor, const Axis& e,
     const auto withF = InBasis(Contract(tensor, f), e, f);
     LaneTensor<Order> result;
     result.values[0] = withE.values[0];
+#pragma GCC unroll 5
     for (int j = 1; j <= Order; ++j)
     {
       result.values[j] = withF.values[j - 1];
@@ -63,10 +65,12 @@ inline LaneTensor<Order> Derivatives(const Vec* coefficients, const Vec& perRadi
   if constexpr (Order <= Degree)
   {
     Vec scale = Broadcast(1.0);
+#pragma GCC unroll 5
     for (int i = 1; i < Order; ++i)
     {
       scale *= perRadius;
     }
+#pragma GCC unroll 5
     for (int j = 0; j <= Order; ++j)
     {
       tensor.values[j] =
@@ -153,11 +157,13 @@ inline Vec StoreMongeForm(
   Store(batch.P1, P1);
   Store(batch.P2, P2);
   Vec zeros = 0.0 * P1 + 0.0 * P2 + 0.0 * d1.x + 0.0 * n.x;
+#pragma GCC unroll 5
   for (int j = 0; j < 4; ++j)
   {
     Store(batch.b + j * Lanes, b[j]);
     zeros += 0.0 * b[j];
   }
+#pragma GCC unroll 5
   for (int j = 0; j < 5; ++j)
   {
     Store(batch.c + j * Lanes, c[j]);
