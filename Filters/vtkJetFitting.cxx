@@ -216,7 +216,9 @@ int vtkJetFitting::RequestData(
   }
   vtkRidgesFitPoints fitPoints(triangles, rings, settings, arrays);
   const double begin = this->Neighborhood == AUTOMATIC ? 0.3 : 0.2;
-  if (!vtkRidgesForBatches(this, count, begin, 1.0, fitPoints))
+  // With errors each point is fitted alone, too.
+  const vtkIdType batch = this->StandardErrors ? 1 << 15 : 1 << 17;
+  if (!vtkRidgesForBatches(this, count, begin, 1.0, fitPoints, batch))
   {
     return 1;
   }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRidgesMongeOutput.h"
 
+#include "Core/LargeMemory.h"
 #include "vtkRidgesArrayNames.h"
 
 #include "vtkPointData.h"
@@ -150,8 +151,9 @@ void vtkRidgesMongeOutput::Add(double*& values, const char* name, int components
     {
       array->SetComponentName(i, (componentPrefix + std::to_string(i)).c_str());
     }
-    array->SetNumberOfTuples(count);
-    values = array->GetPointer(0);
+    const vtkIdType size = components * count;
+    values = static_cast<double*>(ridges::AllocateLarge(size * sizeof(double)));
+    array->SetArray(values, size, 0, vtkAbstractArray::VTK_DATA_ARRAY_FREE);
     this->Arrays.emplace_back(array);
   }
 }

@@ -2,8 +2,12 @@
 #ifndef ridges_Buffer_h
 #define ridges_Buffer_h
 
+#include "LargeMemory.h"
+
 #include <cstddef>
+#include <cstdlib>
 #include <memory>
+#include <type_traits>
 
 namespace ridges
 {
@@ -18,7 +22,7 @@ class Buffer
 public:
   Buffer() = default;
   explicit Buffer(std::size_t size)
-    : Values_(new T[size])
+    : Values_(static_cast<T*>(AllocateLarge(size * sizeof(T))))
     , Size_(size)
   {
   }
@@ -37,7 +41,14 @@ public:
   void Shorten(std::size_t size) { this->Size_ = size; }
 
 private:
-  std::unique_ptr<T[]> Values_;
+  static_assert(std::is_trivially_copyable_v<T>, "values are neither constructed nor destroyed");
+
+  struct Free
+  {
+    void operator()(T* values) const { std::free(values); }
+  };
+
+  std::unique_ptr<T[], Free> Values_;
   std::size_t Size_ = 0;
 };
 
