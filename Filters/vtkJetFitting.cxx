@@ -92,12 +92,19 @@ struct TryScales
 /// One text for all that is wrong with the mesh or the fits; empty if all is well.
 std::string Complaint(vtkRidgesMesh& mesh, const ridges::OrderedRings& rings, vtkIntArray* status)
 {
-  const auto count = [status](int bit)
+  const int* statuses = status->GetPointer(0);
+  const vtkIdType points = status->GetNumberOfTuples();
+  int anyBits = 0;
+  for (vtkIdType p = 0; p < points; ++p)
+  {
+    anyBits |= statuses[p];
+  }
+  const auto count = [=](int bit)
   {
     vtkIdType sum = 0;
-    for (vtkIdType p = 0; p < status->GetNumberOfTuples(); ++p)
+    for (vtkIdType p = 0; (anyBits & bit) && p < points; ++p)
     {
-      sum += (status->GetValue(p) & bit) ? 1 : 0;
+      sum += (statuses[p] & bit) ? 1 : 0;
     }
     return sum;
   };
