@@ -92,18 +92,19 @@ struct TryScales
 /// One text for all that is wrong with the mesh or the fits; empty if all is well.
 std::string Complaint(vtkRidgesMesh& mesh, const ridges::OrderedRings& rings, vtkIntArray* status)
 {
-  // Edges are at fault only where fans are.
-  const ridges::TriangleMesh& triangles = mesh.GetTriangles();
-  if (rings.HasIrregular())
+  const int* statuses = status->GetPointer(0);
+  const vtkIdType points = status->GetNumberOfTuples();
+  int anyBits = 0;
+  for (vtkIdType p = 0; p < points; ++p)
   {
-    mesh.BuildEdges();
+    anyBits |= statuses[p];
   }
-  const auto count = [status](int bit)
+  const auto count = [=](int bit)
   {
     vtkIdType sum = 0;
-    for (vtkIdType p = 0; p < status->GetNumberOfTuples(); ++p)
+    for (vtkIdType p = 0; (anyBits & bit) && p < points; ++p)
     {
-      sum += (status->GetValue(p) & bit) ? 1 : 0;
+      sum += (statuses[p] & bit) ? 1 : 0;
     }
     return sum;
   };
@@ -120,10 +121,16 @@ std::string Complaint(vtkRidgesMesh& mesh, const ridges::OrderedRings& rings, vt
   say(mesh.GetNumberOfTriangulatedCells(), "polygons or strips were triangulated");
   say(mesh.GetNumberOfUnusableTriangles(),
     "triangles were left out (a repeated corner, or a point that is missing or not finite)");
-  say(triangles.NumberOfNonManifoldEdges(),
-    "edges with more than two triangles were taken as borders");
-  say(triangles.NumberOfInconsistentEdges(),
-    "edges lie between triangles of opposite orientation (vtkPolyDataNormals can mend that)");
+  // Edges are at fault only where fans are.
+  if (rings.HasIrregular())
+  {
+    mesh.BuildEdges();
+    const ridges::TriangleMesh& triangles = mesh.GetTriangles();
+    say(triangles.NumberOfNonManifoldEdges(),
+      "edges with more than two triangles were taken as borders");
+    say(triangles.NumberOfInconsistentEdges(),
+      "edges lie between triangles of opposite orientation (vtkPolyDataNormals can mend that)");
+  }
   say(invalid,
     "points have no fit (isolated, or too few or collinear neighbours): their values are 0");
   say(tooFew, "points have fewer neighbours than coefficients");
@@ -216,7 +223,9 @@ int vtkJetFitting::RequestData(
   }
   vtkRidgesFitPoints fitPoints(triangles, rings, settings, arrays);
   const double begin = this->Neighborhood == AUTOMATIC ? 0.3 : 0.2;
-  if (!vtkRidgesForBatches(this, count, begin, 1.0, fitPoints))
+  // With errors each point is fitted alone, too.
+  const vtkIdType batch = this->StandardErrors ? 1 << 15 : 1 << 17;
+  if (!vtkRidgesForBatches(this, count, begin, 1.0, fitPoints, batch))
   {
     return 1;
   }
@@ -229,6 +238,7 @@ int vtkJetFitting::RequestData(
   output->ShallowCopy(mesh.GetPolyData());
   arrays.AddTo(output->GetPointData());
   RemoveUmbilics(output);
+  mesh.HandOnWith(output);
   return 1;
 }
 

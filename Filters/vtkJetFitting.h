@@ -3,9 +3,9 @@
  * @class   vtkJetFitting
  * @brief   estimate curvatures and their derivatives at the points of a triangle mesh
  *
- * Around each point a polynomial height function is fitted to the points near it, and its Monge
- * form is written out: the principal curvatures k1 >= k2 with their directions, and the third- and
- * fourth-order coefficients that ridges are made of (RR-5294, section 3, equations 1 and 2):
+ * Around each point a polynomial height function is fitted, and its Monge form is written out: the
+ * principal curvatures k1 >= k2 with their directions, and the third- and fourth-order coefficients
+ * that ridges are made of (RR-5294, section 3, equations 1 and 2):
  *
  *   z = 1/2 (k1 x^2 + k2 y^2) + 1/6 (b0 x^3 + 3 b1 x^2 y + 3 b2 x y^2 + b3 y^3)
  *     + 1/24 (c0 x^4 + 4 c1 x^3 y + 6 c2 x^2 y^2 + 4 c3 x y^3 + c4 y^4)
@@ -36,25 +36,18 @@
  * Curvature is positive where the surface bends towards its normal: a sphere of radius r with
  * outward normals has k1 = k2 = -1/r. vtkCurvatures has the opposite sign.
  *
- * Method: jet fitting. The neighbourhood's principal axes give the height direction, the point
- * itself the origin; offsets are scaled by the neighbourhood's radius. Several points are fitted at
- * once by refined normal equations, those that these are not exact enough for one by one by an
- * orthogonal decomposition. On a smooth surface sampled at distance h the error of k is of the
- * order of h^(Degree - 1), that of b h^(Degree - 2), that of c h^(Degree - 3), and one order better
- * on regular samplings.
- *
+ * Method: jet fitting. The neighbourhood's principal axes give the height direction; offsets are in
+ * units of its radius. Several points are fitted at once by refined normal equations, those that
+ * need it one by one by an orthogonal decomposition. On a smooth surface sampled at distance h the
+ * errors of k, b and c are of the orders Degree - 1, - 2 and - 3 in h, one better if regular.
  * Guarantees: the same bytes for any number of threads, any SMP back end and any numbering of
  * points and cells; between machines with and without fused multiply-add k, b and P differ by
  * round-off (1e-12, 1e-10 and 1e-10 relative, on clean meshes). No value is ever NaN: where nothing
- * can be fitted all values are 0 and FitStatus says FIT_INVALID. Polygons and strips are
- * triangulated; verts and lines are passed over.
+ * can be fitted all are 0 and FitStatus says FIT_INVALID. Polygons and strips are triangulated.
  *
- * @warning
- * The triangles have to be consistently oriented: flipping the orientation changes the sign of the
- * curvatures and swaps maximum and minimum (k1' = -k2, k2' = -k1).
- *
- * @sa
- * vtkUmbilicDetection vtkRidgeExtraction vtkCurvatures
+ * @warning The triangles have to be consistently oriented: flipping the orientation changes the
+ * sign of the curvatures and swaps maximum and minimum (k1' = -k2, k2' = -k1).
+ * @sa vtkUmbilicDetection vtkRidgeExtraction vtkCurvatures
  */
 
 #ifndef vtkJetFitting_h
@@ -70,7 +63,7 @@ public:
   vtkTypeMacro(vtkJetFitting, vtkPolyDataAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
-  /// What bounds a neighbourhood.
+  /// See SetNeighborhood and SetWeighting.
   enum NeighborhoodType
   {
     BY_POINT_COUNT = 0,
@@ -78,15 +71,13 @@ public:
     BY_RADIUS = 2,
     AUTOMATIC = 3
   };
-
-  /// How much the points of a neighbourhood count.
   enum WeightingType
   {
     UNIFORM = 0,
     GAUSSIAN = 1
   };
 
-  /// Bits of the FitStatus array.
+  /// Bits of FitStatus.
   enum FitStatusBits
   {
     FIT_GOOD = 0,
@@ -108,7 +99,7 @@ public:
   ///@{
   /**
    * Highest order of the Monge form that is written out, 1 to 4: 1 normals, 2 curvatures and
-   * directions, 3 ThirdOrder, 4 FourthOrder, P1 and P2. Never more than Degree. Default 4.
+   * directions, 3 ThirdOrder, 4 FourthOrder, P1, P2; at most Degree. Default 4: ridges need all.
    */
   vtkSetClampMacro(MongeOrder, int, 1, 4);
   vtkGetMacro(MongeOrder, int);
@@ -116,12 +107,11 @@ public:
 
   ///@{
   /**
-   * What bounds a neighbourhood: whole rings until there are MinimumNumberOfPoints points and, up
-   * to four rings more, until the least squares is well conditioned (default: it follows the
-   * density of the mesh, never falls short, and gets borders right), exactly NumberOfRings rings,
-   * what is connected to the point inside the ball of a Radius, or, for noisy meshes, automatic:
-   * the number of rings, 2 to 8, at which curvatures have the least estimated error on this mesh,
-   * else as by point count. Noise has to be independent from point to point (no smoothed mesh).
+   * What bounds a neighbourhood: whole rings until there are MinimumNumberOfPoints points and the
+   * least squares is well conditioned (default: it follows the density of the mesh and gets borders
+   * right), exactly NumberOfRings rings, what is connected inside the ball of a Radius, or, for
+   * noise that is independent from point to point, automatic: the number of rings, 2 to 8, at which
+   * curvatures have the least estimated error on this mesh, else as by point count.
    */
   vtkSetClampMacro(Neighborhood, int, BY_POINT_COUNT, AUTOMATIC);
   vtkGetMacro(Neighborhood, int);
@@ -134,10 +124,9 @@ public:
 
   ///@{
   /**
-   * Points that a neighbourhood has at least, the point itself included, 3 or more. A number below
-   * that of the coefficients (15 for degree 4) is raised to it. Default 18: two rings of a regular
-   * mesh have 19 points, while the bare 15 would let the polynomial interpolate, with a few
-   * nearly singular systems on any mesh. Take more on noisy data.
+   * Points that a neighbourhood has at least, the point itself included, 3 or more, raised to the
+   * number of coefficients (15 for degree 4). Default 18: two rings of a regular mesh have 19,
+   * while 15 would let the polynomial interpolate. Take more on noisy data.
    */
   vtkSetClampMacro(MinimumNumberOfPoints, int, 3, VTK_INT_MAX);
   vtkGetMacro(MinimumNumberOfPoints, int);
@@ -145,8 +134,8 @@ public:
 
   ///@{
   /**
-   * Rings of a neighbourhood, 1 or more; points with too few neighbours for Degree are fitted in
-   * a lower one and flagged. Default 3: two rings are just enough on a regular mesh only.
+   * Rings of a neighbourhood, 1 or more; a lower degree is fitted, and flagged, where they have
+   * too few points. Default 3: two are just enough on a regular mesh only.
    */
   vtkSetClampMacro(NumberOfRings, int, 1, 1000);
   vtkGetMacro(NumberOfRings, int);
@@ -154,22 +143,20 @@ public:
 
   ///@{
   /**
-   * Radius of a neighbourhood, in the unit of the points; it has to be set, and positive, to be
-   * used. Only what edges connect inside the ball is taken, never the other side of a thin wall.
-   * Default 0: no radius is right for all meshes.
+   * Radius of a neighbourhood, in the unit of the points; to be used it has to be positive. The
+   * other side of a thin wall is never taken. Default 0: no radius is right for all meshes.
    */
   vtkSetMacro(Radius, double);
   vtkGetMacro(Radius, double);
   ///@}
 
-  /// Rings that the last update chose, where Neighborhood was automatic; 0 where it was not.
+  /// Rings that the last update chose where Neighborhood was automatic, else 0.
   vtkGetMacro(SelectedNumberOfRings, int);
 
   ///@{
   /**
-   * How much the points of a neighbourhood count: uniform, all the same, or by a Gaussian of the
-   * distance whose standard deviation is half of FitScale: 1 at the point, 0.135 at the radius.
-   * Default uniform: least variance; Gaussian takes a wider neighbourhood for the same.
+   * How much the points of a neighbourhood count: all the same, or by a Gaussian of the distance
+   * with a standard deviation of half of FitScale. Default uniform: it has the least variance.
    */
   vtkSetClampMacro(Weighting, int, UNIFORM, GAUSSIAN);
   vtkGetMacro(Weighting, int);
@@ -180,11 +167,10 @@ public:
 
   ///@{
   /**
-   * Whether standard errors are put out: by each fit's residuals, how far noise that is independent
-   * from point to point makes the values scatter. -1 stands for unknown: no fit, no more points
-   * than coefficients, or a fit of too low a degree. Parameters.md tells how to use them. Default
-   * off: points are then fitted once more, one by one, which takes some 15 times as long.
-   * The other arrays are the same either way.
+   * Whether standard errors are put out: how far noise that is independent from point to point
+   * makes the values scatter, by each fit's residuals. -1 stands for unknown: no fit, too few
+   * points or too low a degree. Default off: fitting all points again, one by one, takes 25 times
+   * as long.
    */
   vtkSetMacro(StandardErrors, bool);
   vtkGetMacro(StandardErrors, bool);
@@ -194,9 +180,7 @@ public:
 protected:
   vtkJetFitting() = default;
   ~vtkJetFitting() override = default;
-
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
-
   int Degree = 4;
   int MongeOrder = 4;
   int Neighborhood = BY_POINT_COUNT;

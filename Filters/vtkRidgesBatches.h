@@ -12,11 +12,14 @@
  * calling thread reports progress, from `from` to `to`, and looks whether the user asked to abort:
  * then the result is false.
  *
+ * Threads wait for each other at the end of a batch, so it should be as long as `batch` items of
+ * the slowest kind may keep a user who aborts waiting: some tenths of a second.
+ *
  * AbortExecute is what VTK 9.1 has; CheckAbort came with 9.2.
  */
 template <typename Body>
 bool vtkRidgesForBatches(vtkAlgorithm* algorithm, vtkIdType count, double from, double to,
-  Body& body, vtkIdType batch = 1 << 15)
+  Body& body, vtkIdType batch = 1 << 17)
 {
   for (vtkIdType begin = 0; begin < count; begin += batch)
   {

@@ -49,52 +49,49 @@ void vtkRidgesFitPoints::operator()(vtkIdType begin, vtkIdType end)
   {
     this->Take(static_cast<ridges::Id>(p), *scratch);
   }
-  this->FitBatch(*scratch);
+  this->FitBatches(*scratch);
 }
 
-/// Into the batch with it if it fits there, else it is fitted at once.
+/// Into the batches with it if it fits there, else it is fitted at once.
 void vtkRidgesFitPoints::Take(ridges::Id p, Scratch& scratch)
 {
   const auto points = scratch.neighborhood.Gather(p, this->Wanted.rule);
-  if (!this->Kernel || !scratch.batch.Add(this->Mesh, p, points))
+  const bool wholeRings = this->Wanted.rule.kind != ridges::NeighborhoodRule::Kind::Radius;
+  if (!this->Kernel || !scratch.batches.Add(p, points, wholeRings))
   {
     this->FitAlone(p, scratch);
   }
-  else if (scratch.batch.IsFull())
+  else if (scratch.batches.IsFull())
   {
-    this->FitBatch(scratch);
+    this->FitBatches(scratch);
   }
 }
 
-void vtkRidgesFitPoints::FitBatch(Scratch& scratch)
+void vtkRidgesFitPoints::FitBatches(Scratch& scratch)
 {
-  if (scratch.batch.IsEmpty())
+  if (scratch.batches.IsEmpty())
   {
     return;
   }
-  this->Kernel->fit(scratch.batch.Complete());
-  for (int lane = 0; lane < scratch.batch.Size(); ++lane)
-  {
-    const ridges::Id p = scratch.batch.Vertex(lane);
-    ridges::MongeForm form;
-    vtkRidgesMongeOutput::Quality quality;
-    const bool good = scratch.batch.Result(lane, form, quality.conditionNumber, quality.residual);
-    if (!good || !(quality.conditionNumber <= GrowAbove))
+  const int lanes = this->Kernel->lanes;
+  scratch.batches.Fit(*this->Kernel,
+    [&](const ridges::JetBatch& batch, int lane, ridges::Id p)
     {
-      this->FitAlone(p, scratch);
-      continue;
-    }
-    quality.radius = scratch.batch.Radius(lane);
-    this->Store(p, form, quality);
-    if (this->Wanted.standardErrors)
-    {
-      // Batches do not keep what errors are made of. All other values stay theirs.
-      const ridges::JetFit fit =
-        this->Fit(p, scratch.neighborhood.Gather(p, this->Wanted.rule), scratch);
-      this->Output.StoreErrors(p, ridges::StandardErrors(scratch.fitter, fit));
-    }
-  }
-  scratch.batch.Clear();
+      if (batch.good[lane] == 0.0 || !(batch.conditionNumber[lane] <= GrowAbove))
+      {
+        this->FitAlone(p, scratch);
+        return;
+      }
+      this->Output.Store(
+        p, batch, lanes, lane, this->Rings.OnBorder(p) ? ridges::FitBoundary : ridges::FitGood);
+      if (this->Wanted.standardErrors)
+      {
+        // Batches do not keep what errors are made of. All other values stay theirs.
+        const ridges::JetFit fit =
+          this->Fit(p, scratch.neighborhood.Gather(p, this->Wanted.rule), scratch);
+        this->Output.StoreErrors(p, ridges::StandardErrors(scratch.fitter, fit));
+      }
+    });
 }
 
 ridges::JetFit vtkRidgesFitPoints::Fit(

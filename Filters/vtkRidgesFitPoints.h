@@ -38,17 +38,17 @@ private:
   {
     explicit Scratch(const vtkRidgesFitPoints& fit)
       : neighborhood(fit.Mesh, fit.Rings)
-      , batch(fit.Wanted.degree, fit.Kernel ? fit.Kernel->lanes : 1, fit.Wanted.weighting)
+      , batches(fit.Mesh, fit.Rings, fit.Wanted.degree, fit.Wanted.weighting)
     {
     }
     ridges::RingNeighborhood neighborhood;
     ridges::JetFitter fitter;
-    ridges::JetBatchFiller batch;
+    ridges::JetBatchFiller batches;
     Eigen::Matrix3Xd offsets;
   };
 
   void Take(ridges::Id p, Scratch& scratch);
-  void FitBatch(Scratch& scratch);
+  void FitBatches(Scratch& scratch);
   ridges::JetFit Fit(ridges::Id p, ridges::Span<ridges::Id> points, Scratch& scratch) const;
   void FitAlone(ridges::Id p, Scratch& scratch);
   void Store(

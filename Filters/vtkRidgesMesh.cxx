@@ -1,21 +1,51 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRidgesMesh.h"
 
+#include "vtkRidgesFinite.h"
+
 #include "vtkCellArray.h"
 #include "vtkDoubleArray.h"
+#include "vtkInformation.h"
+#include "vtkInformationObjectBaseKey.h"
 #include "vtkNew.h"
+#include "vtkObjectFactory.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSMPTools.h"
 #include "vtkTriangleFilter.h"
 
 #include <algorithm>
-#include <cmath>
+#include <array>
+#include <atomic>
 #include <limits>
+#include <mutex>
 #include <utility>
 
 namespace
 {
+
+using ridges::Id;
+using ridges::Triangle;
+
+/// Runs body(begin, end) in parallel.
+template <typename Body>
+void ForRanges(vtkIdType count, Body body)
+{
+  vtkSMPTools::For(0, count, body);
+}
+
+void LendThreads(Id count, const std::function<void(Id, Id)>& body)
+{
+  ForRanges(count,
+    [&body](vtkIdType begin, vtkIdType end)
+    { body(static_cast<Id>(begin), static_cast<Id>(end)); });
+}
+
+/// Shares of the triangles to build the incidence from: memory is taken for each.
+Id NumberOfShares()
+{
+  return std::clamp(vtkSMPTools::GetEstimatedNumberOfThreads(), 1, 8);
+}
 
 /// Calls visit(cell, size, points) for each cell, straight from the array's own storage.
 struct ForEachCell
@@ -32,69 +62,249 @@ struct ForEachCell
   }
 };
 
-} // namespace
+/// The usual case, done in parallel: all cells are triangles with three different points. False
+/// as soon as one is not.
+struct FetchTriangles
+{
+  template <typename CellState>
+  void operator()(
+    CellState& state, vtkIdType numberOfPoints, ridges::Buffer<Triangle>& triangles, bool& good)
+  {
+    const auto* offsets = state.GetOffsets()->GetPointer(0);
+    const auto* points = state.GetConnectivity()->GetPointer(0);
+    std::atomic<bool> allGood(true);
+    ForRanges(state.GetNumberOfCells(),
+      [&](vtkIdType begin, vtkIdType end)
+      {
+        for (vtkIdType cell = begin; cell < end; ++cell)
+        {
+          if (offsets[cell + 1] - offsets[cell] != 3)
+          {
+            allGood = false;
+            return;
+          }
+          const auto* c = points + offsets[cell];
+          const auto isThere = [=](vtkIdType p) { return p >= 0 && p < numberOfPoints; };
+          if (c[0] == c[1] || c[1] == c[2] || c[2] == c[0] || !isThere(c[0]) || !isThere(c[1]) ||
+            !isThere(c[2]))
+          {
+            allGood = false;
+            return;
+          }
+          triangles[cell] = { static_cast<Id>(c[0]), static_cast<Id>(c[1]), static_cast<Id>(c[2]) };
+        }
+      });
+    good = allGood;
+  }
+};
 
-void vtkRidgesMesh::CountTriangulatedCells(vtkPolyData* input)
+bool AllFinite(const double* points, vtkIdType count)
+{
+  std::atomic<bool> finite(true);
+  ForRanges(count,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      if (!vtkRidgesAllFinite(points + 3 * begin, points + 3 * end))
+      {
+        finite = false;
+      }
+    });
+  return finite;
+}
+
+vtkIdType CountTriangulatedCells(vtkPolyData* input)
 {
   vtkIdType polygons = 0;
   const auto count = [&polygons](vtkIdType, vtkIdType size, const auto*)
   { polygons += size > 3 ? 1 : 0; };
   input->GetPolys()->Visit(ForEachCell{}, count);
-  this->NumberOfTriangulatedCells = polygons + input->GetNumberOfStrips();
+  return polygons + input->GetNumberOfStrips();
+}
+
+/// What a mesh was built from. Modification times are unique in a process, so that an object made
+/// later in the same place is told apart.
+struct Origin
+{
+  explicit Origin(vtkPolyData* data)
+  {
+    const auto object = [](vtkObject* o, int i, auto& entries) {
+      entries[i] = { o, o ? o->GetMTime() : 0 };
+    };
+    vtkPoints* points = data->GetPoints();
+    vtkCellArray* polys = data->GetPolys();
+    object(points, 0, this->Objects);
+    object(points ? points->GetData() : nullptr, 1, this->Objects);
+    object(polys, 2, this->Objects);
+    object(polys->GetConnectivityArray(), 3, this->Objects);
+    object(polys->GetOffsetsArray(), 4, this->Objects);
+    this->NumberOfPoints = data->GetNumberOfPoints();
+    this->NumberOfPolys = polys->GetNumberOfCells();
+  }
+
+  bool operator==(const Origin& other) const
+  {
+    return this->Objects == other.Objects && this->NumberOfPoints == other.NumberOfPoints &&
+      this->NumberOfPolys == other.NumberOfPolys;
+  }
+
+  std::array<std::pair<vtkObject*, vtkMTimeType>, 5> Objects;
+  vtkIdType NumberOfPoints;
+  vtkIdType NumberOfPolys;
+};
+
+/// Whether the three corners of every triangle can be numbered in 32 bits.
+bool IsSmallEnough(vtkPolyData* data)
+{
+  constexpr vtkIdType largest = std::numeric_limits<Id>::max() / 3;
+  return data->GetNumberOfPoints() <= largest && data->GetPolys()->GetNumberOfCells() <= largest;
+}
+
+/// All polys, if they are triangles that can be used, and there are no strips; else false.
+bool FetchAllTriangles(vtkPolyData* data, const double* points,
+  const std::vector<std::uint8_t>& usable, ridges::Buffer<Triangle>& triangles)
+{
+  const vtkIdType numberOfPoints = data->GetNumberOfPoints();
+  if (data->GetNumberOfStrips() > 0 || std::find(usable.begin(), usable.end(), 0) != usable.end() ||
+    !AllFinite(points, numberOfPoints))
+  {
+    return false;
+  }
+  bool good = true;
+  triangles = ridges::Buffer<Triangle>(data->GetPolys()->GetNumberOfCells());
+  data->GetPolys()->Visit(FetchTriangles{}, numberOfPoints, triangles, good);
+  return good;
+}
+
+/// The coordinates, where they are stored in double precision already.
+const double* StoredCoordinates(vtkPolyData* data)
+{
+  vtkPoints* points = data->GetPoints();
+  vtkDoubleArray* exact = points ? vtkDoubleArray::SafeDownCast(points->GetData()) : nullptr;
+  return exact ? exact->GetPointer(0) : nullptr;
+}
+
+} // namespace
+
+/// Does not change once it is built, but for the edges.
+struct vtkRidgesMesh::Adjacency
+{
+  void FetchPoints(vtkPolyData* data);
+  ridges::Buffer<Triangle> FetchGoodTriangles(
+    vtkPolyData* data, const std::vector<std::uint8_t>& usable);
+
+  std::vector<double> convertedPoints;
+  const double* points = nullptr; ///< x, y, z; those of the data set, if they are doubles.
+  ridges::TriangleMesh triangles;
+  std::vector<Id> polyIds; ///< Empty where all polys are triangles.
+  vtkIdType unusableTriangles = 0;
+  std::mutex edgesMutex;
+  bool hasEdges = false;
+};
+
+void vtkRidgesMesh::Adjacency::FetchPoints(vtkPolyData* data)
+{
+  this->points = StoredCoordinates(data);
+  if (!this->points)
+  {
+    const vtkIdType count = data->GetNumberOfPoints();
+    this->convertedPoints.resize(3 * count);
+    for (vtkIdType p = 0; p < count; ++p)
+    {
+      data->GetPoint(p, this->convertedPoints.data() + 3 * p);
+    }
+    this->points = this->convertedPoints.data();
+  }
+}
+
+/// One by one, leaving out what is bad.
+ridges::Buffer<Triangle> vtkRidgesMesh::Adjacency::FetchGoodTriangles(
+  vtkPolyData* data, const std::vector<std::uint8_t>& usable)
+{
+  const vtkIdType numberOfPoints = data->GetNumberOfPoints();
+  std::vector<std::uint8_t> isUsable(numberOfPoints, 0);
+  for (vtkIdType p = 0; p < numberOfPoints; ++p)
+  {
+    const bool finite = vtkRidgesAllFinite(this->points + 3 * p, this->points + 3 * p + 3);
+    isUsable[p] = finite && (usable.empty() || usable[p] != 0) ? 1 : 0;
+  }
+  vtkCellArray* polys = data->GetPolys();
+  ridges::Buffer<Triangle> fetched(polys->GetNumberOfCells());
+  this->polyIds.reserve(polys->GetNumberOfCells());
+  const auto add = [&](vtkIdType cell, vtkIdType size, const auto* corners)
+  {
+    const auto isGood = [&](vtkIdType p) { return p >= 0 && p < numberOfPoints && isUsable[p]; };
+    if (size == 3 && corners[0] != corners[1] && corners[1] != corners[2] &&
+      corners[2] != corners[0] && std::all_of(corners, corners + 3, isGood))
+    {
+      fetched[this->polyIds.size()] = { static_cast<Id>(corners[0]), static_cast<Id>(corners[1]),
+        static_cast<Id>(corners[2]) };
+      this->polyIds.push_back(static_cast<Id>(cell));
+    }
+  };
+  polys->Visit(ForEachCell{}, add);
+  fetched.Shorten(this->polyIds.size());
+  this->unusableTriangles = polys->GetNumberOfCells() - static_cast<vtkIdType>(fetched.size());
+  return fetched;
+}
+
+class vtkRidgesMesh::Carrier : public vtkObject
+{
+public:
+  static Carrier* New();
+  vtkTypeMacro(Carrier, vtkObject);
+
+  std::shared_ptr<Adjacency> Mesh;
+  std::unique_ptr<Origin> MadeFrom;
+};
+
+vtkStandardNewMacro(vtkRidgesMesh::Carrier);
+
+vtkInformationKeyMacro(vtkRidgesMesh, MESH, ObjectBase);
+
+void vtkRidgesMesh::HandOnWith(vtkPolyData* output) const
+{
+  vtkNew<Carrier> carrier;
+  carrier->Mesh = this->Shared;
+  carrier->MadeFrom = std::make_unique<Origin>(output);
+  output->GetInformation()->Set(MESH(), carrier);
+}
+
+bool vtkRidgesMesh::TakeHandedOn(vtkPolyData* input, const std::vector<std::uint8_t>& usable)
+{
+  auto* carrier = static_cast<Carrier*>(input->GetInformation()->Get(MESH()));
+  if (!carrier || input->GetNumberOfStrips() > 0 || !(*carrier->MadeFrom == Origin(input)))
+  {
+    return false;
+  }
+  // The array may have moved its values without saying so.
+  const double* stored = StoredCoordinates(input);
+  if (stored && stored != carrier->Mesh->points)
+  {
+    return false;
+  }
+  // Points without triangles are no loss.
+  const ridges::TriangleMesh& triangles = carrier->Mesh->triangles;
+  for (auto p = std::find(usable.begin(), usable.end(), 0); p != usable.end();
+       p = std::find(p + 1, usable.end(), 0))
+  {
+    if (triangles.TrianglesAround(static_cast<Id>(p - usable.begin())).size() > 0)
+    {
+      return false;
+    }
+  }
+  this->PolyData = input;
+  this->NumberOfTriangulatedCells = 0;
+  this->Take(carrier->Mesh);
+  return true;
 }
 
 bool vtkRidgesMesh::Build(
   vtkPolyData* input, const std::vector<std::uint8_t>& usable, ridges::TriangleMesh::Edges edges)
 {
-  // Three corners of every triangle are numbered in 32 bits.
-  constexpr vtkIdType largest = std::numeric_limits<ridges::Id>::max() / 3;
-
-  this->PolyData = input;
-  this->CountTriangulatedCells(input);
-  if (this->NumberOfTriangulatedCells > 0)
-  {
-    vtkNew<vtkTriangleFilter> triangulate;
-    triangulate->SetInputData(input);
-    triangulate->Update();
-    this->PolyData = triangulate->GetOutput();
-  }
-  vtkCellArray* polys = this->PolyData->GetPolys();
-  const vtkIdType numberOfPoints = this->PolyData->GetNumberOfPoints();
-  if (numberOfPoints > largest || polys->GetNumberOfCells() > largest)
+  if (!this->TakeHandedOn(input, usable) && !this->BuildAnew(input, usable))
   {
     return false;
   }
-
-  this->FetchPoints();
-  std::vector<std::uint8_t> isUsable(numberOfPoints, 0);
-  for (vtkIdType p = 0; p < numberOfPoints; ++p)
-  {
-    const double* x = this->Points + 3 * p;
-    const bool finite = std::isfinite(x[0]) && std::isfinite(x[1]) && std::isfinite(x[2]);
-    isUsable[p] = finite && (usable.empty() || usable[p] != 0) ? 1 : 0;
-  }
-  this->FirstPoly = this->PolyData->GetNumberOfVerts() + this->PolyData->GetNumberOfLines();
-  std::vector<ridges::Triangle> triangles;
-  triangles.reserve(polys->GetNumberOfCells());
-  this->PolyIds.clear();
-  this->PolyIds.reserve(polys->GetNumberOfCells());
-  const auto add = [&](vtkIdType cell, vtkIdType size, const auto* points)
-  {
-    const auto isGood = [&](vtkIdType p) { return p >= 0 && p < numberOfPoints && isUsable[p]; };
-    const bool good = size == 3 && points[0] != points[1] && points[1] != points[2] &&
-      points[2] != points[0] && std::all_of(points, points + 3, isGood);
-    if (good)
-    {
-      triangles.push_back({ static_cast<ridges::Id>(points[0]), static_cast<ridges::Id>(points[1]),
-        static_cast<ridges::Id>(points[2]) });
-      this->PolyIds.push_back(static_cast<ridges::Id>(cell));
-    }
-  };
-  polys->Visit(ForEachCell{}, add);
-  this->NumberOfUnusableTriangles =
-    polys->GetNumberOfCells() - static_cast<vtkIdType>(triangles.size());
-  this->Triangles = ridges::TriangleMesh(this->Points, static_cast<ridges::Id>(numberOfPoints),
-    std::move(triangles), ridges::TriangleMesh::Edges::NotBuilt);
   if (edges == ridges::TriangleMesh::Edges::Built)
   {
     this->BuildEdges();
@@ -102,45 +312,77 @@ bool vtkRidgesMesh::Build(
   return true;
 }
 
-void vtkRidgesMesh::BuildEdges()
+bool vtkRidgesMesh::BuildAnew(vtkPolyData* input, const std::vector<std::uint8_t>& usable)
 {
-  this->Triangles.BuildEdges(
-    [](ridges::Id count, const std::function<void(ridges::Id, ridges::Id)>& body)
+  this->PolyData = input;
+  this->NumberOfTriangulatedCells = 0;
+  if (!IsSmallEnough(input))
+  {
+    return false;
+  }
+  auto adjacency = std::make_shared<Adjacency>();
+  adjacency->FetchPoints(input);
+  ridges::Buffer<Triangle> triangles;
+  if (!FetchAllTriangles(input, adjacency->points, usable, triangles))
+  {
+    this->NumberOfTriangulatedCells = CountTriangulatedCells(input);
+    if (this->NumberOfTriangulatedCells > 0)
     {
-      const auto range = [&body](vtkIdType begin, vtkIdType end)
-      { body(static_cast<ridges::Id>(begin), static_cast<ridges::Id>(end)); };
-      vtkSMPTools::For(0, count, range);
-    });
+      vtkNew<vtkTriangleFilter> triangulate;
+      triangulate->SetInputData(input);
+      triangulate->Update();
+      this->PolyData = triangulate->GetOutput();
+      if (!IsSmallEnough(this->PolyData))
+      {
+        return false;
+      }
+      adjacency->FetchPoints(this->PolyData);
+    }
+    triangles = adjacency->FetchGoodTriangles(this->PolyData, usable);
+  }
+  const auto numberOfPoints = static_cast<Id>(this->PolyData->GetNumberOfPoints());
+  adjacency->triangles = ridges::TriangleMesh(adjacency->points, numberOfPoints,
+    std::move(triangles), ridges::TriangleMesh::Edges::NotBuilt, LendThreads, NumberOfShares());
+  this->Take(std::move(adjacency));
+  return true;
 }
 
-void vtkRidgesMesh::FetchPoints()
+void vtkRidgesMesh::Take(std::shared_ptr<Adjacency> adjacency)
 {
-  vtkPoints* points = this->PolyData->GetPoints();
-  if (vtkDoubleArray* exact = points ? vtkDoubleArray::SafeDownCast(points->GetData()) : nullptr)
+  this->Shared = std::move(adjacency);
+  this->Triangles = &this->Shared->triangles;
+  this->PolyIds = &this->Shared->polyIds;
+  this->FirstPoly = this->PolyData->GetNumberOfVerts() + this->PolyData->GetNumberOfLines();
+}
+
+void vtkRidgesMesh::BuildEdges()
+{
+  // Filters in different threads may share the mesh.
+  const std::lock_guard<std::mutex> lock(this->Shared->edgesMutex);
+  if (!this->Shared->hasEdges)
   {
-    this->Points = exact->GetPointer(0);
-    return;
+    this->Shared->triangles.BuildEdges(LendThreads);
+    this->Shared->hasEdges = true;
   }
-  const vtkIdType count = this->PolyData->GetNumberOfPoints();
-  this->ConvertedPoints.resize(3 * count);
-  for (vtkIdType p = 0; p < count; ++p)
-  {
-    points->GetPoint(p, this->ConvertedPoints.data() + 3 * p);
-  }
-  this->Points = this->ConvertedPoints.data();
+}
+
+vtkIdType vtkRidgesMesh::GetNumberOfUnusableTriangles() const
+{
+  return this->Shared->unusableTriangles;
 }
 
 vtkIdType vtkRidgesMesh::CountCoincidentPoints() const
 {
   std::vector<vtkIdType> order;
-  for (vtkIdType p = 0; p < this->Triangles.NumberOfPoints(); ++p)
+  for (vtkIdType p = 0; p < this->Triangles->NumberOfPoints(); ++p)
   {
-    if (this->Triangles.TrianglesAround(static_cast<ridges::Id>(p)).size() > 0)
+    if (this->Triangles->TrianglesAround(static_cast<ridges::Id>(p)).size() > 0)
     {
       order.push_back(p);
     }
   }
-  const auto position = [this](vtkIdType p) { return this->Points + 3 * p; };
+  const auto position = [this](vtkIdType p)
+  { return this->Triangles->Point(static_cast<ridges::Id>(p)).data(); };
   std::sort(order.begin(), order.end(),
     [&](vtkIdType p, vtkIdType q)
     {

@@ -3,13 +3,14 @@
 
 #include "Core/JetFit.h"
 #include "vtkRidgesArrayNames.h"
+#include "vtkRidgesFinite.h"
 
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
+#include "vtkIntArray.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
-
-#include <cmath>
+#include "vtkSMPTools.h"
 
 namespace names = vtkRidgesArrayNames;
 
@@ -55,9 +56,14 @@ void vtkRidgesMongeArrays::FetchStatus(vtkPolyData* mesh)
 {
   if (vtkDataArray* status = mesh->GetPointData()->GetArray(names::FitStatus))
   {
+    // An integer array is what vtkJetFitting makes, but not what all file formats keep.
+    vtkIntArray* exact = vtkIntArray::SafeDownCast(status);
+    const int* values =
+      exact && exact->GetNumberOfComponents() == 1 ? exact->GetPointer(0) : nullptr;
     for (vtkIdType p = 0; p < mesh->GetNumberOfPoints(); ++p)
     {
-      if (static_cast<int>(status->GetComponent(p, 0)) & ridges::FitInvalid)
+      const int bits = values ? values[p] : static_cast<int>(status->GetComponent(p, 0));
+      if (bits & ridges::FitInvalid)
       {
         this->Usable[p] = 0;
       }
@@ -101,12 +107,22 @@ const double* vtkRidgesMongeArrays::FetchArray(vtkPolyData* mesh, const char* na
     }
     values = converted.data();
   }
-  for (vtkIdType i = 0; i < components * count; ++i)
+  const auto check = [&](vtkIdType begin, vtkIdType end)
   {
-    if (!std::isfinite(values[i]))
+    // Point by point only where something is wrong.
+    if (vtkRidgesAllFinite(values + components * begin, values + components * end))
     {
-      this->Usable[i / components] = 0;
+      return;
     }
-  }
+    for (vtkIdType p = begin; p < end; ++p)
+    {
+      const double* tuple = values + components * p;
+      if (!vtkRidgesAllFinite(tuple, tuple + components))
+      {
+        this->Usable[p] = 0;
+      }
+    }
+  };
+  vtkSMPTools::For(0, count, check);
   return values;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRidgesMongeOutput.h"
 
+#include "Core/LargeMemory.h"
 #include "vtkRidgesArrayNames.h"
 
 #include "vtkPointData.h"
@@ -28,6 +29,19 @@ void Put(double* values, vtkIdType p, double value)
   if (values)
   {
     values[p] = value;
+  }
+}
+
+/// Values of a lane, `lanes` apart.
+template <int Components>
+void Put(double* values, vtkIdType p, const double* batch, int lanes, int lane)
+{
+  if (values)
+  {
+    for (int i = 0; i < Components; ++i)
+    {
+      values[Components * p + i] = batch[i * lanes + lane];
+    }
   }
 }
 
@@ -79,6 +93,24 @@ void vtkRidgesMongeOutput::Store(vtkIdType p, const ridges::MongeForm& form, con
   this->Status[p] = quality.status;
 }
 
+void vtkRidgesMongeOutput::Store(
+  vtkIdType p, const ridges::JetBatch& batch, int lanes, int lane, int status)
+{
+  Put<3>(this->Normals, p, batch.n, lanes, lane);
+  Put<3>(this->MaximumDirection, p, batch.d1, lanes, lane);
+  Put<3>(this->MinimumDirection, p, batch.d2, lanes, lane);
+  Put<4>(this->ThirdOrder, p, batch.b, lanes, lane);
+  Put<5>(this->FourthOrder, p, batch.c, lanes, lane);
+  Put<1>(this->MaximumCurvature, p, batch.k1, lanes, lane);
+  Put<1>(this->MinimumCurvature, p, batch.k2, lanes, lane);
+  Put<1>(this->P1, p, batch.P1, lanes, lane);
+  Put<1>(this->P2, p, batch.P2, lanes, lane);
+  Put<1>(this->ConditionNumber, p, batch.conditionNumber, lanes, lane);
+  Put<1>(this->Residual, p, batch.residual, lanes, lane);
+  Put<1>(this->Scale, p, batch.radius, lanes, lane);
+  this->Status[p] = status;
+}
+
 void vtkRidgesMongeOutput::StoreErrors(vtkIdType p, const ridges::JetErrors& errors)
 {
   Put(this->MaximumCurvatureError, p, errors.k1);
@@ -119,8 +151,9 @@ void vtkRidgesMongeOutput::Add(double*& values, const char* name, int components
     {
       array->SetComponentName(i, (componentPrefix + std::to_string(i)).c_str());
     }
-    array->SetNumberOfTuples(count);
-    values = array->GetPointer(0);
+    const vtkIdType size = components * count;
+    values = static_cast<double*>(ridges::AllocateLarge(size * sizeof(double)));
+    array->SetArray(values, size, 0, vtkAbstractArray::VTK_DATA_ARRAY_FREE);
     this->Arrays.emplace_back(array);
   }
 }

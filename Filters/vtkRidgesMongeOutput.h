@@ -2,6 +2,7 @@
 #ifndef vtkRidgesMongeOutput_h
 #define vtkRidgesMongeOutput_h
 
+#include "Core/JetBatch.h"
 #include "Core/JetErrors.h"
 #include "Core/MongeForm.h"
 
@@ -33,6 +34,9 @@ public:
   vtkRidgesMongeOutput(vtkIdType count, int order, bool standardErrors);
 
   void Store(vtkIdType p, const ridges::MongeForm& form, const Quality& quality);
+
+  /// The result of a lane of a batch.
+  void Store(vtkIdType p, const ridges::JetBatch& batch, int lanes, int lane, int status);
 
   /// Only if the arrays for it were asked for.
   void StoreErrors(vtkIdType p, const ridges::JetErrors& errors);

@@ -51,6 +51,7 @@ vtkNew<vtkIdTypeArray> MakeRegionArray(const char* name, const vtkRidgesMesh& me
 void vtkRidgesUmbilicOutput::MarkOnMesh(const vtkRidgesMesh& mesh, vtkPolyData* output) const
 {
   output->ShallowCopy(mesh.GetPolyData());
+  mesh.HandOnWith(output);
 
   std::vector<std::vector<ridges::Id>> patches;
   auto position = MakeArray<vtkDoubleArray>(names::UmbilicPosition, 3);

@@ -1,13 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkUmbilicDetection.h"
 
-#include "Core/DirectionIndex.h"
-#include "Core/FitErrors.h"
-#include "Core/IndexCharge.h"
 #include "Core/UmbilicDetection.h"
-#include "Core/UmbilicGathering.h"
 #include "vtkRidgesBatches.h"
-#include "vtkRidgesFitErrors.h"
+#include "vtkRidgesIndexSearch.h"
 #include "vtkRidgesMongeInput.h"
 #include "vtkRidgesUmbilicOutput.h"
 
@@ -18,7 +14,6 @@
 
 #include <cmath>
 #include <memory>
-#include <utility>
 
 vtkStandardNewMacro(vtkUmbilicDetection);
 
@@ -71,97 +66,6 @@ private:
   vtkSMPThreadLocal<std::shared_ptr<ridges::UmbilicDetector>> PerThread;
 };
 
-/// What is asked of every point first: whether it is tame, and the error of k1 - k2.
-struct LookAtPoints
-{
-  LookAtPoints(const ridges::TriangleMesh& mesh, const ridges::DirectionIndex& index,
-    const ridges::FitErrorSource& errors)
-    : Mesh(mesh)
-    , Index(index)
-    , Errors(errors)
-    , IsTame(mesh.NumberOfPoints(), 0)
-    , GapErrors(mesh.NumberOfPoints(), 0.0)
-  {
-  }
-
-  void operator()(vtkIdType begin, vtkIdType end)
-  {
-    for (auto p = static_cast<ridges::Id>(begin); p < static_cast<ridges::Id>(end); ++p)
-    {
-      this->IsTame[p] = this->Index.IsTame(p) ? 1 : 0;
-      this->GapErrors[p] = ridges::GapError(this->Mesh, this->Errors, p);
-    }
-  }
-
-  const ridges::TriangleMesh& Mesh;
-  const ridges::DirectionIndex& Index;
-  const ridges::FitErrorSource& Errors;
-  std::vector<std::uint8_t> IsTame;
-  std::vector<double> GapErrors;
-};
-
-/// The index of every triangle that has directions, and whether it is weak.
-struct LookAtTriangles
-{
-  LookAtTriangles(const ridges::MongeField& field, const LookAtPoints& points, double significance)
-    : Field(field)
-    , Points(points)
-    , Significance(significance)
-    , HalfTurns(points.Mesh.NumberOfTriangles(), 0)
-    , IsWeak(points.Mesh.NumberOfTriangles(), 0)
-  {
-  }
-
-  void operator()(vtkIdType begin, vtkIdType end)
-  {
-    for (auto t = static_cast<ridges::Id>(begin); t < static_cast<ridges::Id>(end); ++t)
-    {
-      if (!this->Points.Index.IsUsable(t))
-      {
-        continue;
-      }
-      const bool looks = this->All || this->Points.Index.MayTurn(t, this->Points.IsTame);
-      this->HalfTurns[t] = static_cast<std::int8_t>(looks ? this->Points.Index.HalfTurns(t) : 0);
-      this->IsWeak[t] = ridges::IsWeak(this->Points.Mesh, this->Field,
-                          this->Points.GapErrors.data(), this->Significance, t)
-        ? 1
-        : 0;
-    }
-  }
-
-  std::vector<ridges::IndexCharge> Collect() const
-  {
-    std::vector<ridges::IndexCharge> charges;
-    for (ridges::Id t = 0; t < this->Points.Mesh.NumberOfTriangles(); ++t)
-    {
-      if (this->HalfTurns[t] != 0)
-      {
-        charges.push_back({ t, this->HalfTurns[t] });
-      }
-    }
-    const auto more = ridges::ChargesOfUnusable(this->Points.Mesh, this->Points.Index);
-    charges.insert(charges.end(), more.begin(), more.end());
-    return charges;
-  }
-
-  const ridges::MongeField& Field;
-  const LookAtPoints& Points;
-  double Significance;
-  bool All = false; ///< Whether to trust no cheap test.
-  std::vector<std::int8_t> HalfTurns;
-  std::vector<std::uint8_t> IsWeak;
-};
-
-int SumOf(const std::vector<ridges::IndexCharge>& charges)
-{
-  int sum = 0;
-  for (const ridges::IndexCharge& charge : charges)
-  {
-    sum += charge.halfTurns;
-  }
-  return sum;
-}
-
 bool IsClosed(const ridges::TriangleMesh& mesh)
 {
   for (ridges::Id e = 0; e < mesh.NumberOfEdges(); ++e)
@@ -211,39 +115,29 @@ int vtkUmbilicDetection::RequestData(
   return 1;
 }
 
-bool vtkUmbilicDetection::FindByIndices(vtkRidgesMongeInput& monge, vtkRidgesUmbilicOutput& found)
+bool vtkUmbilicDetection::FindByIndices(
+  const vtkRidgesMongeInput& monge, vtkRidgesUmbilicOutput& found)
 {
   const ridges::TriangleMesh& mesh = monge.mesh.GetTriangles();
-  const ridges::MongeField& field = monge.arrays.GetField();
-  const std::uint8_t* usable = monge.arrays.GetUsable().data();
-  const ridges::DirectionIndex index(mesh, field, usable);
-  const ridges::FitErrorSource errors = vtkRidgesFetchFitErrors(monge.mesh.GetPolyData());
-  LookAtPoints points(mesh, index, errors);
-  LookAtTriangles triangles(field, points, this->Significance);
-  if (!vtkRidgesForBatches(this, mesh.NumberOfPoints(), 0.1, 0.4, points) ||
-    !vtkRidgesForBatches(this, mesh.NumberOfTriangles(), 0.4, 0.6, triangles))
+  vtkRidgesIndexSearch search(mesh, monge, this->Significance);
+  if (!search.Run(this, false, 0.1, 0.6))
   {
     return false;
   }
-  std::vector<ridges::IndexCharge> charges = triangles.Collect();
-  if (SumOf(charges) != 2 * mesh.EulerCharacteristic() && IsClosed(mesh))
+  if (search.HalfTurns() == 2 * mesh.EulerCharacteristic() || !IsClosed(mesh))
   {
-    // The theorem is about oriented surfaces, and the test that spares most triangles is a rule of
-    // thumb.
-    monge.mesh.OrientConsistently();
-    triangles.All = true;
-    if (!vtkRidgesForBatches(this, mesh.NumberOfTriangles(), 0.6, 0.7, triangles))
-    {
-      return false;
-    }
-    charges = triangles.Collect();
+    search.Gather(this->PatchSize, found);
+    return true;
   }
-  ridges::SpreadLargeCharges(mesh, charges);
-  ridges::UmbilicGathering gathering(mesh, field, std::move(charges), triangles.IsWeak, usable);
-  this->UpdateProgress(0.8);
-  found.umbilics = gathering.Umbilics(this->PatchSize);
-  found.cancelled = gathering.CancelledRegions();
-  found.zones = ridges::WeakZones(mesh, triangles.IsWeak);
+  // The theorem is about oriented surfaces, and the test that spares most triangles is a rule of
+  // thumb.
+  const ridges::TriangleMesh oriented = mesh.ConsistentlyOriented();
+  vtkRidgesIndexSearch certain(oriented, monge, this->Significance);
+  if (!certain.Run(this, true, 0.6, 0.9))
+  {
+    return false;
+  }
+  certain.Gather(this->PatchSize, found);
   return true;
 }
 

@@ -138,7 +138,7 @@ protected:
   double PatchSize = 2.0;
 
 private:
-  bool FindByIndices(vtkRidgesMongeInput& monge, vtkRidgesUmbilicOutput& found);
+  bool FindByIndices(const vtkRidgesMongeInput& monge, vtkRidgesUmbilicOutput& found);
   bool FindMinima(const vtkRidgesMongeInput& monge, vtkRidgesUmbilicOutput& found);
 
   vtkUmbilicDetection(const vtkUmbilicDetection&) = delete;

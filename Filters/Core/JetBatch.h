@@ -2,6 +2,7 @@
 #ifndef ridges_JetBatch_h
 #define ridges_JetBatch_h
 
+#include <cstdint>
 #include <vector>
 
 namespace ridges
@@ -11,8 +12,8 @@ namespace ridges
  * The neighbourhoods of several vertices side by side, a vertex per lane of a SIMD register, and
  * the Monge forms fitted to them: plain memory, shared by kernels for different instruction sets.
  *
- * With L lanes, component c of row i of lane l is offsets[(3 * i + c) * L + l]; likewise for the
- * other arrays.
+ * With L lanes, component c of lane l is side[c * L + l], and the weight of its row i is
+ * weights[i * L + l]; likewise for the other arrays.
  */
 struct JetBatch
 {
@@ -21,12 +22,25 @@ struct JetBatch
 
   /// @name Input
   ///@{
-  int degree;                                                 ///< 2 to 4
-  int rows;                                                   ///< Most points that a lane has.
-  alignas(64) double offsets[3 * MaximumRows * MaximumLanes]; ///< From the vertex, 0 past the end.
-  alignas(64) double weights[MaximumRows * MaximumLanes];     ///< Of the points, 0 past the end.
-  alignas(64) double counts[MaximumLanes];                    ///< Points of each lane.
-  alignas(64) double side[3 * MaximumLanes];                  ///< Where the normal is to point.
+  int degree;           ///< 2 to 4
+  int rows;             ///< Most points that a lane has.
+  int triangles;        ///< Most triangles that the fan of a lane has.
+  bool weighted;        ///< Whether there are weights; else all points count the same.
+  const double* points; ///< x, y, z of each point of the mesh.
+
+  /// The points of each lane, the vertex first. Of all lanes `rows` are read; those past the end
+  /// of a lane count nothing, but have to be points.
+  const std::int32_t* neighbors[MaximumLanes];
+
+  alignas(64) double counts[MaximumLanes]; ///< Points of each lane.
+
+  /// Triangles of each lane's fan, whose points come next after the vertex, in order. In a closed
+  /// fan the last triangle ends at the first of them.
+  alignas(64) double fans[MaximumLanes];
+  alignas(64) double closedFans[MaximumLanes]; ///< The same number, or 0 where it is open.
+  alignas(64) double side[3 * MaximumLanes];   ///< Where the normal is to point if not to
+                                               ///< that of the fan.
+  alignas(64) double weights[MaximumRows * MaximumLanes]; ///< Of the points, 0 past the end.
   ///@}
 
   /// @name Output
@@ -38,10 +52,12 @@ struct JetBatch
   alignas(64) double k2[MaximumLanes];
   alignas(64) double b[4 * MaximumLanes];
   alignas(64) double c[5 * MaximumLanes];
+  alignas(64) double P1[MaximumLanes];
+  alignas(64) double P2[MaximumLanes];
   alignas(64) double residual[MaximumLanes];        ///< As in JetFit.
   alignas(64) double conditionNumber[MaximumLanes]; ///< As in JetFit, of the unpivoted system.
-  alignas(64) double pivotRatio[MaximumLanes];
-  alignas(64) double radius[MaximumLanes]; ///< As in JetFit.
+  alignas(64) double radius[MaximumLanes];          ///< As in JetFit.
+  alignas(64) double good[MaximumLanes];            ///< Whether the lane has a result: 1 or 0.
   ///@}
 };
 
@@ -51,11 +67,11 @@ struct JetBatch
  * refinement with residuals taken at the points, and the Monge form.
  *
  * The normal equations square the condition number; the refinement makes up for that as long as
- * they are not singular to working precision. `pivotRatio` tells: it is the smallest ratio of a
- * pivot to the diagonal element it started from, the squared sine of the angle between a column of
- * the least squares and those before it, whatever the scaling of the columns. A lane whose ratio is
- * not above `SmallestPivotRatio` (0 where already the frame failed, maybe NaN) has no result and is
- * to be fitted by JetFitter.
+ * they are not singular to working precision. The ratio of a pivot to the diagonal element it
+ * started from tells: it is the squared sine of the angle between a column of the least squares
+ * and those before it, whatever the scaling of the columns. A lane with a ratio that is not above
+ * `SmallestPivotRatio`, whose frame failed, or with a value that is not finite has no result and
+ * is to be fitted by JetFitter.
  */
 struct JetBatchKernel
 {

@@ -6,113 +6,140 @@
 namespace ridges
 {
 
-JetBatchFiller::JetBatchFiller(int degree, int lanes, Weighting weighting)
-  : Lanes_(lanes)
+JetBatchFiller::JetBatchFiller(
+  const TriangleMesh& mesh, const OrderedRings& rings, int degree, Weighting weighting)
+  : Mesh_(mesh)
+  , Rings_(rings)
   , Weighting_(weighting)
   , Batch_(std::make_unique<JetBatch>())
 {
   this->Batch_->degree = degree;
+  this->Batch_->weighted = weighting != Weighting::Uniform;
 }
 
-bool JetBatchFiller::Add(const TriangleMesh& mesh, Id vertex, Span<Id> points)
+bool JetBatchFiller::Add(Id vertex, Span<Id> points, bool wholeRings)
 {
-  JetBatch& batch = *this->Batch_;
-  const int rows = points.size();
-  if (rows > JetBatch::MaximumRows || rows < HeightJet::Size(batch.degree))
+  const Id count = points.size();
+  if (count > JetBatch::MaximumRows || count < HeightJet::Size(this->Batch_->degree))
   {
     return false;
   }
-  const int lane = this->Size_++;
-  const int stride = this->Lanes_;
-  this->Vertices_[lane] = vertex;
-  this->Rows_[lane] = rows;
-  batch.counts[lane] = rows;
-  const Eigen::Vector3d origin = mesh.Point(vertex);
-  double* offset = batch.offsets + lane;
-  double* weight = batch.weights + lane;
-  for (const Id p : points)
+  // Kernels read as many points of each lane as the longest has: any will do, but they must exist.
+  const auto room = static_cast<std::size_t>(this->End_) + count + JetBatch::MaximumRows;
+  if (this->Points_.size() < room)
   {
-    const auto point = mesh.Point(p);
-    offset[0] = point[0] - origin[0];
-    offset[stride] = point[1] - origin[1];
-    offset[2 * stride] = point[2] - origin[2];
-    *weight = 1.0;
-    offset += 3 * stride;
-    weight += stride;
+    this->Points_.resize(2 * room, 0);
   }
-  if (this->Weighting_ == Weighting::Gaussian)
+  std::copy(points.begin(), points.end(), this->Points_.data() + this->End_);
+  this->Waiting_[this->Size_++] = { vertex, this->End_, count, wholeRings };
+  this->End_ += count;
+  return true;
+}
+
+void JetBatchFiller::SortBySize()
+{
+  // Counted, as sorting by comparisons would take a tenth of the time of the fits.
+  std::array<std::uint16_t, JetBatch::MaximumRows + 2> begins{};
+  Id least = JetBatch::MaximumRows;
+  Id most = 0;
+  for (int i = 0; i < this->Size_; ++i)
   {
-    this->WeightLane(lane);
+    const Id count = this->Waiting_[i].count;
+    ++begins[count + 1];
+    least = std::min(least, count);
+    most = std::max(most, count);
   }
-  const Eigen::Vector3d side = mesh.PointNormal(vertex);
+  for (Id count = least; count < most; ++count)
+  {
+    begins[count + 1] += begins[count];
+  }
+  for (int i = 0; i < this->Size_; ++i)
+  {
+    this->Order_[begins[this->Waiting_[i].count]++] = static_cast<std::uint16_t>(i);
+  }
+}
+
+/// The next neighbourhoods into a batch; how many there were.
+int JetBatchFiller::Fill(int first, int lanes)
+{
+  JetBatch& batch = *this->Batch_;
+  const int used = std::min(lanes, this->Size_ - first);
+  batch.points = this->Mesh_.Point(0).data();
+  batch.rows = this->Waiting_[this->Order_[first + used - 1]].count;
+  batch.triangles = 0;
+  for (int lane = 0; lane < lanes; ++lane)
+  {
+    // Lanes that are left over repeat the first, and nobody asks for their results.
+    const int i = lane < used ? first + lane : first;
+    this->FillLane(lane, lanes, this->Waiting_[this->Order_[i]]);
+  }
+  return used;
+}
+
+void JetBatchFiller::FillLane(int lane, int stride, const Neighborhood& neighborhood)
+{
+  JetBatch& batch = *this->Batch_;
+  const Id vertex = neighborhood.vertex;
+  batch.neighbors[lane] = this->Points_.data() + neighborhood.first;
+  batch.counts[lane] = neighborhood.count;
+
+  Eigen::Vector3d side = Eigen::Vector3d::Zero();
+  int triangles = 0;
+  int closedTriangles = 0;
+  if (neighborhood.wholeRings && this->Rings_.IsRegular(vertex))
+  {
+    const bool open = this->Rings_.OnBorder(vertex);
+    triangles = this->Rings_.Around(vertex).size() - (open ? 1 : 0);
+    closedTriangles = open ? 0 : triangles;
+  }
+  else
+  {
+    side = this->Mesh_.PointNormal(vertex);
+  }
+  batch.triangles = std::max(batch.triangles, triangles);
+  batch.fans[lane] = triangles;
+  batch.closedFans[lane] = closedTriangles;
   for (int i = 0; i < 3; ++i)
   {
     batch.side[i * stride + lane] = side[i];
   }
-  return true;
+  if (batch.weighted)
+  {
+    this->WeightLane(lane, stride, neighborhood);
+  }
 }
 
-void JetBatchFiller::WeightLane(int lane)
+void JetBatchFiller::WeightLane(int lane, int stride, const Neighborhood& neighborhood)
 {
   JetBatch& batch = *this->Batch_;
-  const int stride = this->Lanes_;
+  const auto vertex = this->Mesh_.Point(neighborhood.vertex);
   const auto squaredDistance = [&](int row)
-  {
-    const double* offset = batch.offsets + 3 * row * stride + lane;
-    return offset[0] * offset[0] + offset[stride] * offset[stride] +
-      offset[2 * stride] * offset[2 * stride];
-  };
+  { return (this->Mesh_.Point(batch.neighbors[lane][row]) - vertex).squaredNorm(); };
   double squaredRadius = 0.0;
-  for (int row = 0; row < this->Rows_[lane]; ++row)
+  for (int row = 0; row < neighborhood.count; ++row)
   {
     squaredRadius = std::max(squaredRadius, squaredDistance(row));
   }
-  for (int row = 0; row < this->Rows_[lane]; ++row)
+  for (int row = 0; row < batch.rows; ++row)
   {
-    batch.weights[row * stride + lane] = GaussianWeight(squaredDistance(row), squaredRadius);
+    batch.weights[row * stride + lane] =
+      row < neighborhood.count ? GaussianWeight(squaredDistance(row), squaredRadius) : 0.0;
   }
 }
 
-JetBatch& JetBatchFiller::Complete()
+void JetBatchFiller::Clear()
 {
-  JetBatch& batch = *this->Batch_;
-  batch.rows = *std::max_element(this->Rows_.begin(), this->Rows_.begin() + this->Size_);
-  const int stride = this->Lanes_;
-  for (int lane = 0; lane < stride; ++lane)
-  {
-    // A lane that is not used has no points at all, and a result that nobody asks for.
-    const int used = lane < this->Size_ ? this->Rows_[lane] : 0;
-    for (int row = used; row < batch.rows; ++row)
-    {
-      for (int i = 0; i < 3; ++i)
-      {
-        batch.offsets[(3 * row + i) * stride + lane] = 0.0;
-      }
-      batch.weights[row * stride + lane] = 0.0;
-    }
-    if (lane >= this->Size_)
-    {
-      batch.counts[lane] = 1.0;
-      batch.side[lane] = batch.side[stride + lane] = batch.side[2 * stride + lane] = 0.0;
-    }
-  }
-  return batch;
+  this->Size_ = 0;
+  this->End_ = 0;
 }
 
-bool JetBatchFiller::Result(
-  int lane, MongeForm& form, double& conditionNumber, double& residual) const
+bool TakeResult(const JetBatch& batch, int lanes, int lane, MongeForm& form)
 {
-  const JetBatch& batch = *this->Batch_;
-  const int stride = this->Lanes_;
-  if (!(batch.pivotRatio[lane] > JetBatchKernel::SmallestPivotRatio))
-  {
-    return false;
-  }
   const auto take = [=](const double* values, auto& tuple)
   {
     for (int i = 0; i < static_cast<int>(tuple.size()); ++i)
     {
-      tuple[i] = values[i * stride + lane];
+      tuple[i] = values[i * lanes + lane];
     }
   };
   take(batch.d1, form.d1);
@@ -122,9 +149,7 @@ bool JetBatchFiller::Result(
   take(batch.c, form.c);
   form.k1 = batch.k1[lane];
   form.k2 = batch.k2[lane];
-  conditionNumber = batch.conditionNumber[lane];
-  residual = batch.residual[lane];
-  return true;
+  return batch.good[lane] != 0.0;
 }
 
 } // namespace ridges

@@ -4,51 +4,83 @@
 
 #include "JetBatch.h"
 #include "MongeForm.h"
-#include "TriangleMesh.h"
+#include "OrderedRings.h"
 #include "Weighting.h"
 
 #include <array>
 #include <memory>
+#include <vector>
 
 namespace ridges
 {
 
-/// Lays vertices side by side in a JetBatch, and takes their Monge forms out of it again.
+/**
+ * Neighbourhoods that wait to be fitted, some hundred at a time. They are put side by side in
+ * batches by their number of points, so that hardly a lane waits for a longer one; what comes out
+ * for a vertex does not depend on that.
+ */
 class JetBatchFiller
 {
 public:
-  JetBatchFiller(int degree, int lanes, Weighting weighting = Weighting::Uniform);
+  JetBatchFiller(const TriangleMesh& mesh, const OrderedRings& rings, int degree,
+    Weighting weighting = Weighting::Uniform);
 
-  /// The next lane; false if the neighbourhood has too many points for a batch, or too few for the
-  /// degree. `points` begins with the vertex.
-  bool Add(const TriangleMesh& mesh, Id vertex, Span<Id> points);
+  /// Takes a neighbourhood in; false if it has too many points for a batch, or too few for the
+  /// degree. `points` begins with the vertex, and then, where `wholeRings` says so, come its
+  /// neighbours in order.
+  bool Add(Id vertex, Span<Id> points, bool wholeRings = true);
 
-  int Size() const { return this->Size_; }
+  bool IsFull() const { return this->Size_ == Capacity; }
   bool IsEmpty() const { return this->Size_ == 0; }
-  bool IsFull() const { return this->Size_ == this->Lanes_; }
-  Id Vertex(int lane) const { return this->Vertices_[lane]; }
 
-  /// The batch, ready for a kernel: rows past the end of a lane, and lanes not used, are filled.
-  JetBatch& Complete();
-
-  /// What the kernel found for a lane; false if it has no result.
-  bool Result(int lane, MongeForm& form, double& conditionNumber, double& residual) const;
-
-  /// Distance of the lane's farthest point from its vertex, where there is a result.
-  double Radius(int lane) const { return this->Batch_->radius[lane]; }
-
-  void Clear() { this->Size_ = 0; }
+  /// Fits all that was taken in, calls visit(batch, lane, vertex) for each, and forgets it. The
+  /// number of lanes is the kernel's.
+  template <typename Visit>
+  void Fit(const JetBatchKernel& kernel, Visit visit)
+  {
+    this->SortBySize();
+    for (int first = 0; first < this->Size_; first += kernel.lanes)
+    {
+      const int lanes = this->Fill(first, kernel.lanes);
+      kernel.fit(*this->Batch_);
+      for (int lane = 0; lane < lanes; ++lane)
+      {
+        visit(*this->Batch_, lane, this->Waiting_[this->Order_[first + lane]].vertex);
+      }
+    }
+    this->Clear();
+  }
 
 private:
-  void WeightLane(int lane);
+  static constexpr int Capacity = 256;
 
-  int Lanes_;
+  struct Neighborhood
+  {
+    Id vertex;
+    Id first; ///< In Points_.
+    Id count;
+    bool wholeRings;
+  };
+
+  void SortBySize();
+  int Fill(int first, int lanes);
+  void FillLane(int lane, int stride, const Neighborhood& neighborhood);
+  void WeightLane(int lane, int stride, const Neighborhood& neighborhood);
+  void Clear();
+
+  const TriangleMesh& Mesh_;
+  const OrderedRings& Rings_;
   Weighting Weighting_;
   int Size_ = 0;
-  std::array<Id, JetBatch::MaximumLanes> Vertices_{};
-  std::array<int, JetBatch::MaximumLanes> Rows_{};
+  std::array<Neighborhood, Capacity> Waiting_{};
+  std::array<std::uint16_t, Capacity> Order_{};
+  std::vector<Id> Points_; ///< Of one after the other; longer than they need.
+  Id End_ = 0;
   std::unique_ptr<JetBatch> Batch_;
 };
+
+/// What a kernel found for a lane of a batch of `lanes`; false if there is no result.
+bool TakeResult(const JetBatch& batch, int lanes, int lane, MongeForm& form);
 
 } // namespace ridges
 

@@ -4,7 +4,7 @@
 #define ridges_JetBatchFrame_h
 
 #include "JetBatch.h"
-#include "LaneVector.h"
+#include "LanePoints.h"
 
 namespace
 {
@@ -41,16 +41,22 @@ struct SymmetricMatrix
   }
 };
 
-/// Covariance of the points about their mean, with trace 1; and their largest squared distance
-/// from the vertex.
-inline SymmetricMatrix Covariance(const ridges::JetBatch& batch, Vec& squaredRadius)
+/// Takes the points, as offsets from the vertices, zero past the end of a lane. The result is
+/// their covariance about their mean, with trace 1; and their largest squared distance from the
+/// vertex.
+inline SymmetricMatrix Covariance(const ridges::JetBatch& batch, Vec3* offsets, Vec& squaredRadius)
 {
+  const Vec counts = Load(batch.counts);
+  const Vec3 vertex = LoadPoints(batch.points, batch.neighbors, 0);
+  offsets[0] = Vec3{};
   Vec3 sum{};
   SymmetricMatrix c{};
   squaredRadius = Vec{};
-  for (int row = 0; row < batch.rows; ++row)
+  for (int row = 1; row < batch.rows; ++row)
   {
-    const Vec3 d = Load3(batch.offsets + 3 * row * Lanes);
+    const Vec3 offset = LoadPoints(batch.points, batch.neighbors, row) - vertex;
+    const Vec3 d = Select(Broadcast(row) < counts, offset, Vec3{});
+    offsets[row] = d;
     const Vec xx = d.x * d.x;
     const Vec yy = d.y * d.y;
     const Vec zz = d.z * d.z;
@@ -74,11 +80,27 @@ inline SymmetricMatrix Covariance(const ridges::JetBatch& batch, Vec& squaredRad
   return { scale * c.xx, scale * c.xy, scale * c.xz, scale * c.yy, scale * c.yz, scale * c.zz };
 }
 
-inline Frame PrincipalFrame(const ridges::JetBatch& batch)
+/// Where the normals are to point: the sum of the area normals of the fan, or what was given.
+inline Vec3 Side(const ridges::JetBatch& batch, const Vec3* offsets)
+{
+  const Vec fans = Load(batch.fans);
+  const Vec closed = Load(batch.closedFans);
+  Vec3 side = Load3(batch.side);
+  for (int i = 1; i <= batch.triangles; ++i)
+  {
+    const Vec number = Broadcast(i);
+    const Vec3 to = Select(number == closed, offsets[1], offsets[i + 1]);
+    side = side + Select(number <= fans, Cross(offsets[i], to), Vec3{});
+  }
+  return side;
+}
+
+/// The offsets, and the frame that they spread in.
+inline Frame PrincipalFrame(const ridges::JetBatch& batch, Vec3* offsets)
 {
   Frame frame;
   Vec squaredRadius;
-  const SymmetricMatrix c = Covariance(batch, squaredRadius);
+  const SymmetricMatrix c = Covariance(batch, offsets, squaredRadius);
   frame.radius = Sqrt(squaredRadius);
 
   // The least root of t^3 - t^2 + m t - d by Newton's method from 0: left of it the cubic is
@@ -124,7 +146,7 @@ inline Frame PrincipalFrame(const ridges::JetBatch& batch)
   frame.failed = !(Abs(stepU) + Abs(stepV) < 1e-5);
 
   const Vec3 normal = Normalized(frame.n + stepU * frame.u + stepV * frame.v);
-  frame.n = WithSign(Broadcast(1.0), Dot(normal, Load3(batch.side))) * normal;
+  frame.n = WithSign(Broadcast(1.0), Dot(normal, Side(batch, offsets))) * normal;
   CompleteFrame(frame);
   return frame;
 }

@@ -25,6 +25,7 @@ template <int Order>
 inline LaneTensor<Order - 1> Contract(const LaneTensor<Order>& tensor, const Axis& w)
 {
   LaneTensor<Order - 1> result;
+#pragma GCC unroll 5
   for (int j = 0; j < Order; ++j)
   {
     result.values[j] = tensor.values[j] * w.u + tensor.values[j + 1] * w.v;
@@ -45,6 +46,7 @@ inline LaneTensor<Order> InBasis(const LaneTensor<Order>& tensor, const Axis& e,
     const auto withF = InBasis(Contract(tensor, f), e, f);
     LaneTensor<Order> result;
     result.values[0] = withE.values[0];
+#pragma GCC unroll 5
     for (int j = 1; j <= Order; ++j)
     {
       result.values[j] = withF.values[j - 1];
@@ -63,10 +65,12 @@ inline LaneTensor<Order> Derivatives(const Vec* coefficients, const Vec& perRadi
   if constexpr (Order <= Degree)
   {
     Vec scale = Broadcast(1.0);
+#pragma GCC unroll 5
     for (int i = 1; i < Order; ++i)
     {
       scale *= perRadius;
     }
+#pragma GCC unroll 5
     for (int j = 0; j <= Order; ++j)
     {
       tensor.values[j] =
@@ -87,8 +91,9 @@ inline Axis HalfAngle(const Vec& x, const Vec& y, const Vec& length)
   return { length > 0.0 ? cosine : Broadcast(1.0), length > 0.0 ? sine : Vec{} };
 }
 
+/// The result is zero in lanes where all values are finite.
 template <int Degree>
-inline void StoreMongeForm(
+inline Vec StoreMongeForm(
   ridges::JetBatch& batch, const Frame& frame, const Vec* coefficients, const Vec& perRadius)
 {
   const Vec fu = coefficients[1];
@@ -139,6 +144,9 @@ inline void StoreMongeForm(
   c[3] = (c[3] + 3.0 * q[1] * k2 + p[0] * b[3] + 3.0 * p[1] * b[2]) * perG;
   c[4] = (c[4] + 6.0 * q[2] * k2 + 4.0 * p[1] * b[3] + 6.0 * s * k2 * k2) * perG;
 
+  const Vec gap = k1 - k2;
+  const Vec P1 = 3.0 * b[1] * b[1] + gap * (c[0] - 3.0 * k1 * k1 * k1);
+  const Vec P2 = 3.0 * b[2] * b[2] - gap * (c[4] - 3.0 * k2 * k2 * k2);
   const auto inSpace = [&frame](const Vec3& a)
   { return a.x * frame.u + a.y * frame.v + a.z * frame.n; };
   Store3(batch.d1, inSpace(d1));
@@ -146,14 +154,22 @@ inline void StoreMongeForm(
   Store3(batch.n, inSpace(n));
   Store(batch.k1, k1);
   Store(batch.k2, k2);
+  Store(batch.P1, P1);
+  Store(batch.P2, P2);
+  Vec zeros = 0.0 * P1 + 0.0 * P2 + 0.0 * d1.x + 0.0 * n.x;
+#pragma GCC unroll 5
   for (int j = 0; j < 4; ++j)
   {
     Store(batch.b + j * Lanes, b[j]);
+    zeros += 0.0 * b[j];
   }
+#pragma GCC unroll 5
   for (int j = 0; j < 5; ++j)
   {
     Store(batch.c + j * Lanes, c[j]);
+    zeros += 0.0 * c[j];
   }
+  return zeros;
 }
 
 } // namespace

@@ -80,6 +80,11 @@ inline Vec3 operator+(const Vec3& a, const Vec3& b)
   return { a.x + b.x, a.y + b.y, a.z + b.z };
 }
 
+inline Vec3 operator-(const Vec3& a, const Vec3& b)
+{
+  return { a.x - b.x, a.y - b.y, a.z - b.z };
+}
+
 inline Vec3 operator*(const Vec& s, const Vec3& a)
 {
   return { s * a.x, s * a.y, s * a.z };

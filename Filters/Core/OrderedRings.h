@@ -56,13 +56,14 @@ private:
 
   /// An open fan has a neighbour more than triangles.
   std::size_t Offset(Id p) const { return static_cast<std::size_t>(this->Mesh_.Offset(p)) + p; }
-  Kind BuildRing(Id p, Id* ring, Id& size) const;
+  bool BuildSmallRing(Id p, Id* ring) const;
+  Kind BuildRing(Id p, Id* ring, std::uint8_t& size) const;
   Kind KindOfIrregular(Id p) const;
   Id NearestOf(Id p, const Id* ring, Id size) const;
 
   const TriangleMesh& Mesh_;
-  std::vector<Id> Rings_;
-  std::vector<Id> Sizes_;
+  Buffer<Id> Rings_;
+  std::vector<std::uint8_t> Sizes_;
   std::vector<Kind> Kinds_;
 };
 

@@ -2,9 +2,20 @@
 #include "RingNeighborhood.h"
 
 #include <algorithm>
+#include <type_traits>
 
 namespace ridges
 {
+namespace
+{
+
+/// Accepts any point.
+struct All
+{
+  bool operator()(Id) const { return true; }
+};
+
+} // namespace
 
 RingNeighborhood::RingNeighborhood(const TriangleMesh& mesh, const OrderedRings& rings)
   : Mesh_(mesh)
@@ -16,38 +27,38 @@ RingNeighborhood::RingNeighborhood(const TriangleMesh& mesh, const OrderedRings&
 template <typename Accept>
 bool RingNeighborhood::AddRing(Accept accept)
 {
+  constexpr bool all = std::is_same_v<Accept, All>;
   const Id ringEnd = this->Count_;
+  const std::uint32_t stamp = this->Stamp_;
+  std::uint32_t* stamps = this->Stamps_.data();
+  Id count = ringEnd;
   for (Id i = this->RingBegin_; i < ringEnd; ++i)
   {
-    const Span<Id> neighbors = this->NeighborsOf(this->Points_[i]);
-    const std::size_t room = static_cast<std::size_t>(this->Count_) + neighbors.size();
+    const Id center = this->Points_[i];
+    const Span<Id> neighbors = this->Rings_.IsRegular(center) ? this->Rings_.Around(center)
+                                                              : this->NeighborsOfIrregular(center);
+    const std::size_t room = static_cast<std::size_t>(count) + neighbors.size();
     if (this->Points_.size() < room)
     {
       this->Points_.resize(2 * room);
     }
     // Without a branch on what is new: that is as good as random.
     Id* points = this->Points_.data();
-    std::uint32_t* stamps = this->Stamps_.data();
-    Id count = this->Count_;
     for (const Id p : neighbors)
     {
-      const bool isNew = stamps[p] != this->Stamp_ && accept(p);
+      const bool isNew = stamps[p] != stamp && accept(p);
       points[count] = p;
       count += isNew ? 1 : 0;
-      stamps[p] = isNew ? this->Stamp_ : stamps[p];
+      stamps[p] = all || isNew ? stamp : stamps[p];
     }
-    this->Count_ = count;
   }
+  this->Count_ = count;
   this->RingBegin_ = ringEnd;
-  return this->Count_ > ringEnd;
+  return count > ringEnd;
 }
 
-Span<Id> RingNeighborhood::NeighborsOf(Id p)
+Span<Id> RingNeighborhood::NeighborsOfIrregular(Id p)
 {
-  if (this->Rings_.IsRegular(p))
-  {
-    return this->Rings_.Around(p);
-  }
   // No fan to follow: by distance, and at one distance by coordinates.
   std::vector<Id>& neighbors = this->Irregular_;
   neighbors.clear();
@@ -88,7 +99,7 @@ Span<Id> RingNeighborhood::Gather(Id vertex, const NeighborhoodRule& rule)
   this->RingBegin_ = 0;
   this->NumberOfRings_ = 0;
 
-  const auto any = [](Id) { return true; };
+  const All any;
   switch (rule.kind)
   {
     case NeighborhoodRule::Kind::PointCount:
@@ -128,7 +139,7 @@ Span<Id> RingNeighborhood::Gather(Id vertex, const NeighborhoodRule& rule)
 
 Span<Id> RingNeighborhood::Grow()
 {
-  this->NumberOfRings_ += this->AddRing([](Id) { return true; }) ? 1 : 0;
+  this->NumberOfRings_ += this->AddRing(All()) ? 1 : 0;
   return { this->Points_.data(), this->Points_.data() + this->Count_ };
 }
 

@@ -48,7 +48,7 @@ public:
 private:
   template <typename Accept>
   bool AddRing(Accept accept);
-  Span<Id> NeighborsOf(Id p);
+  Span<Id> NeighborsOfIrregular(Id p);
 
   const TriangleMesh& Mesh_;
   const OrderedRings& Rings_;

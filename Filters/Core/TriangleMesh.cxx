@@ -8,44 +8,96 @@
 
 namespace ridges
 {
+namespace
+{
 
-TriangleMesh::TriangleMesh(
-  const double* points, Id numberOfPoints, std::vector<Triangle> triangles, Edges edges)
+Buffer<Triangle> CopyOf(const std::vector<Triangle>& triangles)
+{
+  Buffer<Triangle> copy(triangles.size());
+  std::copy(triangles.begin(), triangles.end(), copy.begin());
+  return copy;
+}
+
+} // namespace
+
+TriangleMesh::TriangleMesh(const double* points, Id numberOfPoints, Buffer<Triangle> triangles,
+  Edges edges, const RangeLoop& loop, Id shares)
   : Points_(points)
   , NumberOfPoints_(numberOfPoints)
   , Triangles_(std::move(triangles))
 {
-  this->BuildIncidence();
+  this->BuildIncidence(loop, shares);
   if (edges == Edges::Built)
   {
-    this->BuildEdges();
+    this->BuildEdges(loop);
   }
 }
 
-void TriangleMesh::BuildIncidence()
+TriangleMesh::TriangleMesh(
+  const double* points, Id numberOfPoints, const std::vector<Triangle>& triangles, Edges edges)
+  : TriangleMesh(points, numberOfPoints, CopyOf(triangles), edges)
 {
-  this->Offsets_.assign(static_cast<std::size_t>(this->NumberOfPoints_) + 1, 0);
-  for (const Triangle& triangle : this->Triangles_)
-  {
-    for (const Id p : triangle)
-    {
-      ++this->Offsets_[p + 1];
-    }
-  }
-  for (Id p = 0; p < this->NumberOfPoints_; ++p)
-  {
-    this->Offsets_[p + 1] += this->Offsets_[p];
-  }
+}
 
-  this->Incident_.resize(3 * this->Triangles_.size());
-  std::vector<Id> next(this->Offsets_.begin(), this->Offsets_.end() - 1);
-  for (Id t = 0; t < this->NumberOfTriangles(); ++t)
+void TriangleMesh::BuildIncidence(const RangeLoop& loop, Id shares)
+{
+  // Each share of the triangles counts its corners at the points; what it counted then becomes
+  // the place of the next triangle of this share at the point, behind those of the shares before.
+  const auto points = static_cast<std::size_t>(this->NumberOfPoints_);
+  Buffer<Id> next(points * shares);
+  const auto forShares = [&](auto visit)
   {
-    for (const Id p : this->Triangles_[t])
+    loop(shares,
+      [&](Id begin, Id end)
+      {
+        for (Id share = begin; share < end; ++share)
+        {
+          const std::int64_t count = this->NumberOfTriangles();
+          visit(next.data() + points * share, static_cast<Id>(count * share / shares),
+            static_cast<Id>(count * (share + 1) / shares));
+        }
+      });
+  };
+  forShares(
+    [&](Id* counts, Id begin, Id end)
     {
-      this->Incident_[next[p]++] = t;
+      std::fill_n(counts, points, 0);
+      for (Id t = begin; t < end; ++t)
+      {
+        for (const Id p : this->Triangles_[t])
+        {
+          ++counts[p];
+        }
+      }
+    });
+
+  this->Offsets_ = Buffer<Id>(points + 1);
+  Id sum = 0;
+  for (std::size_t p = 0; p < points; ++p)
+  {
+    this->Offsets_[p] = sum;
+    for (Id share = 0; share < shares; ++share)
+    {
+      Id& place = next[points * share + p];
+      const Id count = place;
+      place = sum;
+      sum += count;
     }
   }
+  this->Offsets_[points] = sum;
+
+  this->Incident_ = Buffer<Id>(sum);
+  forShares(
+    [&](Id* places, Id begin, Id end)
+    {
+      for (Id t = begin; t < end; ++t)
+      {
+        for (const Id p : this->Triangles_[t])
+        {
+          this->Incident_[places[p]++] = t;
+        }
+      }
+    });
 }
 
 void TriangleMesh::BuildEdges(const RangeLoop& loop)
@@ -56,13 +108,15 @@ void TriangleMesh::BuildEdges(const RangeLoop& loop)
   const Id count = this->NumberOfPoints_;
   const Id chunks = (count + chunkSize - 1) / chunkSize;
   std::vector<std::vector<Edge>> found(chunks);
-  this->TriangleEdges_.resize(this->Triangles_.size());
+  std::vector<std::vector<Id>> border(chunks); // in found[chunk]
+  this->TriangleEdges_ = Buffer<Triangle>(this->Triangles_.size());
   loop(chunks,
     [&](Id begin, Id end)
     {
       for (Id chunk = begin; chunk < end; ++chunk)
       {
-        this->FindEdges(chunk * chunkSize, std::min(count, (chunk + 1) * chunkSize), found[chunk]);
+        this->FindEdges(
+          chunk * chunkSize, std::min(count, (chunk + 1) * chunkSize), found[chunk], border[chunk]);
       }
     });
 
@@ -71,7 +125,7 @@ void TriangleMesh::BuildEdges(const RangeLoop& loop)
   {
     first[chunk + 1] = first[chunk] + static_cast<Id>(found[chunk].size());
   }
-  this->Edges_.resize(first[chunks]);
+  this->Edges_ = Buffer<Edge>(first[chunks]);
   loop(chunks,
     [&](Id begin, Id end)
     {
@@ -94,18 +148,20 @@ void TriangleMesh::BuildEdges(const RangeLoop& loop)
     });
 
   this->OnBorder_.assign(count, 0);
-  for (const Edge& edge : this->Edges_)
+  for (Id chunk = 0; chunk < chunks; ++chunk)
   {
-    if (edge.t1 < 0)
+    for (const Id e : border[chunk])
     {
+      const Edge& edge = found[chunk][e];
       this->OnBorder_[edge.v0] = 1;
       this->OnBorder_[edge.v1] = 1;
     }
   }
 }
 
-/// Appends the edges from the points [begin, end) to larger ones, numbered from 0.
-void TriangleMesh::FindEdges(Id begin, Id end, std::vector<Edge>& edges)
+/// Appends the edges from the points [begin, end) to larger ones, numbered from 0, and the numbers
+/// of those that do not have exactly two triangles.
+void TriangleMesh::FindEdges(Id begin, Id end, std::vector<Edge>& edges, std::vector<Id>& border)
 {
   struct HalfEdge
   {
@@ -147,6 +203,10 @@ void TriangleMesh::FindEdges(Id begin, Id end, std::vector<Edge>& edges)
       const Id t1 = count == 2 ? halfEdges[i + 1].triangle : (count == 1 ? Border : NonManifold);
       const Id number = static_cast<Id>(edges.size());
       edges.push_back({ p, halfEdges[i].other, halfEdges[i].triangle, t1 });
+      if (t1 < 0)
+      {
+        border.push_back(number);
+      }
       for (; i < last; ++i)
       {
         this->TriangleEdges_[halfEdges[i].triangle][halfEdges[i].side] = number;
@@ -212,8 +272,10 @@ Id TriangleMesh::NumberOfNonManifoldEdges() const
     [](const Edge& edge) { return edge.t1 == NonManifold; }));
 }
 
-void TriangleMesh::OrientConsistently()
+TriangleMesh TriangleMesh::ConsistentlyOriented() const
 {
+  Buffer<Triangle> triangles(this->Triangles_.size());
+  std::copy(this->Triangles_.begin(), this->Triangles_.end(), triangles.begin());
   std::vector<std::uint8_t> isReached(this->NumberOfTriangles(), 0);
   std::vector<Id> reached;
   for (Id first = 0; first < this->NumberOfTriangles(); ++first)
@@ -226,31 +288,33 @@ void TriangleMesh::OrientConsistently()
     reached.assign(1, first);
     for (std::size_t i = 0; i < reached.size(); ++i)
     {
-      const Id t = reached[i];
       for (int side = 0; side < 3; ++side)
       {
-        const Id next = this->Neighbor(t, side);
+        const Id next = this->Neighbor(reached[i], side);
         if (next < 0 || isReached[next])
         {
           continue;
         }
         isReached[next] = 1;
         reached.push_back(next);
-        Triangle& corners = this->Triangles_[next];
-        const Id from = this->Triangles_[t][side];
-        const Id to = this->Triangles_[t][(side + 1) % 3];
+        // Whether both run through their edge in one sense, as they are now.
+        const Triangle& t = triangles[reached[i]];
+        Triangle& s = triangles[next];
         for (int j = 0; j < 3; ++j)
         {
-          if (corners[j] == from && corners[(j + 1) % 3] == to)
+          for (int k = 0; k < 3; ++k)
           {
-            std::swap(corners[1], corners[2]);
-            std::swap(this->TriangleEdges_[next][0], this->TriangleEdges_[next][2]);
-            break;
+            if (s[j] == t[k] && s[(j + 1) % 3] == t[(k + 1) % 3])
+            {
+              std::swap(s[1], s[2]);
+              j = k = 3;
+            }
           }
         }
       }
     }
   }
+  return TriangleMesh(this->Points_, this->NumberOfPoints_, std::move(triangles));
 }
 
 } // namespace ridges

@@ -2,6 +2,8 @@
 #ifndef ridges_TriangleMesh_h
 #define ridges_TriangleMesh_h
 
+#include "Buffer.h"
+
 #include <Eigen/Core>
 
 #include <array>
@@ -67,8 +69,11 @@ public:
   };
 
   /// `points` holds x, y, z of each point and must outlive the mesh. No triangle may repeat a
-  /// corner or name a point that is not there.
-  TriangleMesh(const double* points, Id numberOfPoints, std::vector<Triangle> triangles,
+  /// corner or name a point that is not there. The loop is run over so many shares of the
+  /// triangles, which each take memory of 4 bytes per point meanwhile; no result depends on them.
+  TriangleMesh(const double* points, Id numberOfPoints, Buffer<Triangle> triangles,
+    Edges edges = Edges::Built, const RangeLoop& loop = InOneRange, Id shares = 1);
+  TriangleMesh(const double* points, Id numberOfPoints, const std::vector<Triangle>& triangles,
     Edges edges = Edges::Built);
 
   /// Numbers the edges: for whatever speaks of edges, neighbours or borders. By the smaller of
@@ -124,24 +129,24 @@ public:
   /// Edges whose two triangles run through them in the same direction.
   Id NumberOfInconsistentEdges() const;
 
-  /// Turns triangles around so that neighbours run through their edge in opposite senses, wherever
-  /// that is possible: a connected part takes the sense of its first triangle.
-  void OrientConsistently();
+  /// The same triangles, some of them turned around so that neighbours run through their edge in
+  /// opposite senses wherever that is possible: each connected part in the sense of its first.
+  TriangleMesh ConsistentlyOriented() const;
 
   /// Edges with more than two triangles.
   Id NumberOfNonManifoldEdges() const;
 
 private:
-  void BuildIncidence();
-  void FindEdges(Id begin, Id end, std::vector<Edge>& edges);
+  void BuildIncidence(const RangeLoop& loop, Id shares);
+  void FindEdges(Id begin, Id end, std::vector<Edge>& edges, std::vector<Id>& border);
 
   const double* Points_ = nullptr;
   Id NumberOfPoints_ = 0;
-  std::vector<Triangle> Triangles_;
-  std::vector<Triangle> TriangleEdges_;
-  std::vector<Edge> Edges_;
-  std::vector<Id> Offsets_;
-  std::vector<Id> Incident_;
+  Buffer<Triangle> Triangles_;
+  Buffer<Triangle> TriangleEdges_;
+  Buffer<Edge> Edges_;
+  Buffer<Id> Offsets_;
+  Buffer<Id> Incident_;
   std::vector<std::uint8_t> OnBorder_;
 };
 

@@ -56,7 +56,7 @@ private:
         { static_cast<Id>(corners[0]), static_cast<Id>(corners[1]), static_cast<Id>(corners[2]) });
     }
     return TriangleMesh(this->points.data(), static_cast<Id>(polyData->GetNumberOfPoints()),
-      std::move(triangles), TriangleMesh::Edges::NotBuilt);
+      triangles, TriangleMesh::Edges::NotBuilt);
   }
 };
 
@@ -72,7 +72,10 @@ template <UpTo Last>
 void Run(const CoreMesh& core, const JetBatchKernel& kernel, std::vector<MongeForm>& forms)
 {
   RingNeighborhood neighborhood(core.mesh, core.rings);
-  JetBatchFiller batch(4, kernel.lanes);
+  JetBatchFiller batches(core.mesh, core.rings, 4);
+  // A kernel that leaves the batch as it is.
+  const JetBatchKernel none{ "", kernel.lanes,
+    [](JetBatch& batch) { benchmark::DoNotOptimize(batch.rows); } };
   const Id count = core.mesh.NumberOfPoints();
   for (Id p = 0; p < count; ++p)
   {
@@ -82,24 +85,18 @@ void Run(const CoreMesh& core, const JetBatchKernel& kernel, std::vector<MongeFo
       benchmark::DoNotOptimize(points.size());
       continue;
     }
-    batch.Add(core.mesh, p, points);
-    if (!batch.IsFull() && p + 1 < count)
+    batches.Add(p, points);
+    if (batches.IsFull() || p + 1 == count)
     {
-      continue;
+      batches.Fit(Last == UpTo::Fit ? kernel : none,
+        [&](const JetBatch& batch, int lane, Id vertex)
+        {
+          if (Last == UpTo::Fit)
+          {
+            TakeResult(batch, kernel.lanes, lane, forms[vertex]);
+          }
+        });
     }
-    JetBatch& ready = batch.Complete();
-    benchmark::DoNotOptimize(ready.rows);
-    if (Last == UpTo::Fit)
-    {
-      kernel.fit(ready);
-      for (int lane = 0; lane < batch.Size(); ++lane)
-      {
-        double conditionNumber = 0.0;
-        double residual = 0.0;
-        batch.Result(lane, forms[batch.Vertex(lane)], conditionNumber, residual);
-      }
-    }
-    batch.Clear();
   }
 }
 

@@ -24,7 +24,7 @@ const std::vector<double> SquarePoints = { 0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 0
 
 TriangleMesh SquareMesh(std::vector<Triangle> triangles)
 {
-  return TriangleMesh(SquarePoints.data(), 6, std::move(triangles));
+  return TriangleMesh(SquarePoints.data(), 6, triangles);
 }
 
 std::vector<Id> ToVector(Span<Id> span)

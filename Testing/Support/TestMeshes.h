@@ -13,6 +13,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <string>
 #include <vector>
 
 namespace ridges
@@ -60,6 +61,9 @@ Mesh GraphPatch(
 // edges are of about 1.4 h, and angles above about 15 degrees, which Relax improves. Throws
 // std::runtime_error if n is too small for a manifold; MakeDoubleTorus() needs 45.
 Mesh ClosedMesh(const AnalyticSurface& surface, const Eigen::Vector3d& halfSize, int n);
+
+// A triangle mesh in the OFF format; without points if the file cannot be read.
+Mesh ReadOff(const std::string& path);
 
 // --- Changes
 
