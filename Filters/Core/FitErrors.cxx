@@ -9,11 +9,30 @@ namespace ridges
 namespace
 {
 
-/// A standard error for each unit of residual / scale^order, that is for values of the unit
-/// 1 / length^order.
+/// About how many points a fit at this point was to, from the area that its scale covers.
+double EstimatePoints(const TriangleMesh& mesh, double scale, Id point)
+{
+  double areas = 0.0;
+  for (const Id t : mesh.TrianglesAround(point))
+  {
+    areas += 0.5 * mesh.AreaNormal(t).norm();
+  }
+  // Two rings of an even mesh, 19 points, reach to 2 edges, or 14.5 times the area for a point.
+  constexpr double perDisk = 19.0 / 14.5;
+  constexpr double pi = 3.14159265358979323846;
+  return areas > 0.0 ? perDisk * pi * scale * scale / (areas / 3.0) : 0.0;
+}
+
+/**
+ * A standard error from residual / scale^order, for a value of the unit 1 / length^order.
+ *
+ * With n points and 15 coefficients the noise is the residual times sqrt(n / (n - 15)), and its
+ * effect on a coefficient falls like one over sqrt(n). The factor left is one that, on even meshes
+ * and scans, and for 18 to 200 points, comes within a factor of two of the median of the standard
+ * errors of k1 - k2 and of b0 that vtkJetFitting computes.
+ */
 template <int Order>
-double FromResiduals(
-  const TriangleMesh& mesh, const FitErrorSource& source, double perResidual, Id point)
+double FromResiduals(const TriangleMesh& mesh, const FitErrorSource& source, Id point)
 {
   if (!source.fitResidual || !source.fitScale || !(source.fitScale[point] > 0.0))
   {
@@ -31,10 +50,15 @@ double FromResiduals(
       ++count;
     }
   }
+  constexpr double factor = 140.0;
+  constexpr double coefficients = 15.0;
+  constexpr double leastFreedom = 9.0; // as the estimate of n is a rough one
+  const double freedom =
+    std::max(leastFreedom, EstimatePoints(mesh, source.fitScale[point], point) - coefficients);
   // Below this all is rounding: the surface is a polynomial to ten digits over the fitted radius.
   constexpr double rounding = 1e-10;
   const double average = count > 0 ? std::sqrt(sum / count) : 0.0;
-  return std::max(rounding * unit(point), perResidual * average);
+  return std::max(rounding * unit(point), factor / std::sqrt(freedom) * average);
 }
 
 } // namespace
@@ -45,8 +69,7 @@ double GapError(const TriangleMesh& mesh, const FitErrorSource& source, Id point
   {
     return std::hypot(source.maximumCurvatureError[point], source.minimumCurvatureError[point]);
   }
-  // The median over fits of degree 4 to 18 points, even or from scans, is 40 to 53.
-  return FromResiduals<1>(mesh, source, 45.0, point);
+  return FromResiduals<1>(mesh, source, point);
 }
 
 double ExtremalityError(
@@ -57,8 +80,7 @@ double ExtremalityError(
     return source
       .thirdOrderError[4 * static_cast<std::size_t>(point) + (color == Color::Blue ? 0 : 3)];
   }
-  // The median over such fits is 25 on even meshes and 40 to 100 on scans.
-  return FromResiduals<2>(mesh, source, 40.0, point);
+  return FromResiduals<2>(mesh, source, point);
 }
 
 bool IsWeak(const TriangleMesh& mesh, const MongeField& field, const double* gapErrors,
