@@ -132,24 +132,24 @@ struct Origin
     };
     vtkPoints* points = data->GetPoints();
     vtkCellArray* polys = data->GetPolys();
-    object(points, 0, this->Objects);
-    object(points ? points->GetData() : nullptr, 1, this->Objects);
-    object(polys, 2, this->Objects);
-    object(polys->GetConnectivityArray(), 3, this->Objects);
-    object(polys->GetOffsetsArray(), 4, this->Objects);
-    this->NumberOfPoints = data->GetNumberOfPoints();
-    this->NumberOfPolys = polys->GetNumberOfCells();
+    object(points, 0, this->objects);
+    object(points ? points->GetData() : nullptr, 1, this->objects);
+    object(polys, 2, this->objects);
+    object(polys->GetConnectivityArray(), 3, this->objects);
+    object(polys->GetOffsetsArray(), 4, this->objects);
+    this->numberOfPoints = data->GetNumberOfPoints();
+    this->numberOfPolys = polys->GetNumberOfCells();
   }
 
   bool operator==(const Origin& other) const
   {
-    return this->Objects == other.Objects && this->NumberOfPoints == other.NumberOfPoints &&
-      this->NumberOfPolys == other.NumberOfPolys;
+    return this->objects == other.objects && this->numberOfPoints == other.numberOfPoints &&
+      this->numberOfPolys == other.numberOfPolys;
   }
 
-  std::array<std::pair<vtkObject*, vtkMTimeType>, 5> Objects;
-  vtkIdType NumberOfPoints;
-  vtkIdType NumberOfPolys;
+  std::array<std::pair<vtkObject*, vtkMTimeType>, 5> objects;
+  vtkIdType numberOfPoints;
+  vtkIdType numberOfPolys;
 };
 
 /// Whether the three corners of every triangle can be numbered in 32 bits.
@@ -253,8 +253,8 @@ public:
   static Carrier* New();
   vtkTypeMacro(Carrier, vtkObject);
 
-  std::shared_ptr<Adjacency> Mesh;
-  std::unique_ptr<Origin> MadeFrom;
+  std::shared_ptr<Adjacency> mesh;
+  std::unique_ptr<Origin> madeFrom;
 };
 
 vtkStandardNewMacro(vtkRidgesMesh::Carrier);
@@ -264,26 +264,26 @@ vtkInformationKeyMacro(vtkRidgesMesh, MESH, ObjectBase);
 void vtkRidgesMesh::HandOnWith(vtkPolyData* output) const
 {
   vtkNew<Carrier> carrier;
-  carrier->Mesh = this->Shared;
-  carrier->MadeFrom = std::make_unique<Origin>(output);
+  carrier->mesh = this->Shared;
+  carrier->madeFrom = std::make_unique<Origin>(output);
   output->GetInformation()->Set(MESH(), carrier);
 }
 
 bool vtkRidgesMesh::TakeHandedOn(vtkPolyData* input, const std::vector<std::uint8_t>& usable)
 {
   auto* carrier = static_cast<Carrier*>(input->GetInformation()->Get(MESH()));
-  if (!carrier || input->GetNumberOfStrips() > 0 || !(*carrier->MadeFrom == Origin(input)))
+  if (!carrier || input->GetNumberOfStrips() > 0 || !(*carrier->madeFrom == Origin(input)))
   {
     return false;
   }
   // The array may have moved its values without saying so.
   const double* stored = StoredCoordinates(input);
-  if (stored && stored != carrier->Mesh->points)
+  if (stored && stored != carrier->mesh->points)
   {
     return false;
   }
   // Points without triangles are no loss.
-  const ridges::TriangleMesh& triangles = carrier->Mesh->triangles;
+  const ridges::TriangleMesh& triangles = carrier->mesh->triangles;
   for (auto p = std::find(usable.begin(), usable.end(), 0); p != usable.end();
        p = std::find(p + 1, usable.end(), 0))
   {
@@ -294,7 +294,7 @@ bool vtkRidgesMesh::TakeHandedOn(vtkPolyData* input, const std::vector<std::uint
   }
   this->PolyData = input;
   this->NumberOfTriangulatedCells = 0;
-  this->Take(carrier->Mesh);
+  this->Take(carrier->mesh);
   return true;
 }
 
