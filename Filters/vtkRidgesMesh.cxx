@@ -2,6 +2,7 @@
 #include "vtkRidgesMesh.h"
 
 #include "vtkRidgesFinite.h"
+#include "vtkRidgesTriangulate.h"
 
 #include "vtkCellArray.h"
 #include "vtkDoubleArray.h"
@@ -12,7 +13,6 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSMPTools.h"
-#include "vtkTriangleFilter.h"
 
 #include <algorithm>
 #include <array>
@@ -328,10 +328,7 @@ bool vtkRidgesMesh::BuildAnew(vtkPolyData* input, const std::vector<std::uint8_t
     this->NumberOfTriangulatedCells = CountTriangulatedCells(input);
     if (this->NumberOfTriangulatedCells > 0)
     {
-      vtkNew<vtkTriangleFilter> triangulate;
-      triangulate->SetInputData(input);
-      triangulate->Update();
-      this->PolyData = triangulate->GetOutput();
+      this->PolyData = vtkRidgesTriangulate(input);
       if (!IsSmallEnough(this->PolyData))
       {
         return false;
