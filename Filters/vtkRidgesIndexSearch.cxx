@@ -19,11 +19,13 @@ namespace
 /// What is asked of every point first: whether it is tame, and the error of k1 - k2.
 struct LookAtPoints
 {
-  LookAtPoints(const ridges::TriangleMesh& mesh, const ridges::DirectionIndex& index,
-    const ridges::FitErrorSource& errors)
+  LookAtPoints(const ridges::TriangleMesh& mesh, const ridges::MongeField& field,
+    const ridges::DirectionIndex& index, const ridges::FitErrorSource& errors, double significance)
     : Mesh(mesh)
+    , Field(field)
     , Index(index)
     , Errors(errors)
+    , Significance(significance)
     , IsTame(mesh.NumberOfPoints(), 0)
     , GapErrors(mesh.NumberOfPoints(), 0.0)
   {
@@ -34,13 +36,18 @@ struct LookAtPoints
     for (auto p = static_cast<ridges::Id>(begin); p < static_cast<ridges::Id>(end); ++p)
     {
       this->IsTame[p] = this->Index.IsTame(p) ? 1 : 0;
-      this->GapErrors[p] = ridges::GapError(this->Mesh, this->Errors, p);
+      if (ridges::MayBeWeak(this->Field, this->Errors, this->Significance, p))
+      {
+        this->GapErrors[p] = ridges::GapError(this->Mesh, this->Errors, p);
+      }
     }
   }
 
   const ridges::TriangleMesh& Mesh;
+  const ridges::MongeField& Field;
   const ridges::DirectionIndex& Index;
   const ridges::FitErrorSource& Errors;
+  double Significance;
   std::vector<std::uint8_t> IsTame;
   std::vector<double> GapErrors;
 };
@@ -111,9 +118,8 @@ bool vtkRidgesIndexSearch::Run(vtkAlgorithm* filter, bool all, double from, doub
 {
   const ridges::MongeField& field = this->Monge.arrays.GetField();
   const ridges::DirectionIndex index(this->Mesh, field, this->Monge.arrays.GetUsable().data());
-  const ridges::FitErrorSource errors =
-    vtkRidgesFetchFitErrors(this->Monge.mesh.GetPolyData());
-  LookAtPoints points(this->Mesh, index, errors);
+  const ridges::FitErrorSource errors = vtkRidgesFetchFitErrors(this->Monge.mesh.GetPolyData());
+  LookAtPoints points(this->Mesh, field, index, errors, this->Significance);
   LookAtTriangles triangles(field, points, this->Significance);
   triangles.All = all;
   const double middle = 0.5 * (from + to);

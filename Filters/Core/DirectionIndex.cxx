@@ -19,6 +19,13 @@ int CornerOf(const Triangle& corners, Id point)
   return corners[0] == point ? 0 : (corners[1] == point ? 1 : 2);
 }
 
+/// Scratch memory of each thread: a fan may have any number of triangles.
+std::vector<double>& AnglesOfFan()
+{
+  thread_local std::vector<double> angles;
+  return angles;
+}
+
 } // namespace
 
 DirectionIndex::DirectionIndex(
@@ -145,11 +152,14 @@ DirectionIndex::Fan DirectionIndex::FanAt(Id triangle, int corner) const
 
   double total = 0.0;
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();
+  std::vector<double>& angles = AnglesOfFan();
+  angles.clear();
   Id t = first;
   int c = cornerOfFirst;
   do
   {
-    total += this->Angle(t, c);
+    angles.push_back(this->Angle(t, c));
+    total += angles.back();
     normal += this->Mesh_.AreaNormal(t);
     t = this->NextInFan(t, c, c);
   } while (t >= 0 && t != first);
@@ -164,29 +174,41 @@ DirectionIndex::Fan DirectionIndex::FanAt(Id triangle, int corner) const
   double alpha = -before;
   const auto add = [&](Id end)
   {
+    // The turn by alpha and back by the angle of the edge with d1, as a product.
     const Eigen::Vector3d edge = this->Mesh_.Point(end) - this->Mesh_.Point(p);
-    const double beta = std::atan2(side * edge.dot(d2), edge.dot(d1));
-    sum += std::polar(1.0, fan.stretch * alpha - beta);
+    const std::complex<double> projected(edge.dot(d1), side * edge.dot(d2));
+    const double length = std::abs(projected);
+    sum += length > 0.0 ? std::polar(1.0, fan.stretch * alpha) * std::conj(projected) / length
+                        : std::complex<double>(0.0);
   };
   t = first;
   c = cornerOfFirst;
-  do
+  for (const double angle : angles)
   {
     const Triangle& corners = this->Mesh_.Corners(t);
     add(corners[(c + 1) % 3]);
-    alpha += this->Angle(t, c);
-    const Id next = this->NextInFan(t, c, c);
-    if (next < 0)
+    alpha += angle;
+    if (t == triangle)
     {
-      add(corners[(CornerOf(corners, p) + 2) % 3]);
+      fan.corner = angle;
     }
-    t = next;
-  } while (t >= 0 && t != first);
+    const int cornerOfLast = c;
+    t = this->NextInFan(t, c, c);
+    if (t < 0)
+    {
+      add(corners[(cornerOfLast + 2) % 3]);
+    }
+  }
   fan.angle = std::arg(sum);
   return fan;
 }
 
-double DirectionIndex::TurnWithin(Id triangle, int side) const
+DirectionIndex::Fans DirectionIndex::FansAt(Id triangle) const
+{
+  return { this->FanAt(triangle, 0), this->FanAt(triangle, 1), this->FanAt(triangle, 2) };
+}
+
+double DirectionIndex::TurnWithin(Id triangle, int side, const Fans& fans) const
 {
   const Triangle& corners = this->Mesh_.Corners(triangle);
   const int end = (side + 1) % 3;
@@ -194,18 +216,15 @@ double DirectionIndex::TurnWithin(Id triangle, int side) const
   {
     return 0.0;
   }
-  const Fan fanAtP = this->FanAt(triangle, side);
-  const Fan fanAtQ = this->FanAt(triangle, end);
   // Of d1 at q from the edge back to p, and of that at p carried to q.
-  const double atQ = fanAtQ.angle - fanAtQ.stretch * this->Angle(triangle, end);
-  const double carried = fanAtP.angle + Pi;
+  const double atQ = fans[end].angle - fans[end].stretch * fans[end].corner;
+  const double carried = fans[side].angle + Pi;
   const double flip = AcuteSign(this->Field_, corners[side], corners[end]) > 0 ? 0.0 : Pi;
   return std::remainder(atQ + flip - carried, 2.0 * Pi);
 }
 
-double DirectionIndex::Turn(Id triangle, int side) const
+double DirectionIndex::TurnForBoth(Id triangle, int side) const
 {
-  // An edge has one turn, computed in one of its triangles for both.
   const Edge& edge = this->Mesh_.EdgeAt(this->Mesh_.EdgeOf(triangle, side));
   const Triangle& corners = this->Mesh_.Corners(triangle);
   if (edge.t1 >= 0 && edge.t0 != triangle)
@@ -214,30 +233,32 @@ double DirectionIndex::Turn(Id triangle, int side) const
     const int sideInOther = CornerOf(other, corners[(side + 1) % 3]);
     if (other[(sideInOther + 1) % 3] == corners[side])
     {
-      return -this->TurnWithin(edge.t0, sideInOther);
+      return -this->TurnWithin(edge.t0, sideInOther, this->FansAt(edge.t0));
     }
   }
-  return this->TurnWithin(triangle, side);
+  return this->TurnWithin(triangle, side, this->FansAt(triangle));
 }
 
-double DirectionIndex::Excess(Id triangle) const
+// All turns around a triangle.
+double DirectionIndex::Turned(Id triangle) const
 {
-  double sum = -Pi;
-  for (int corner = 0; corner < 3; ++corner)
+  // A turn by half a turn is one in either sense, and round-off decides in which: then one triangle
+  // of the edge has to decide for both.
+  constexpr double nearlyHalf = Pi - 1e-6;
+  const Fans fans = this->FansAt(triangle);
+  double turned = -Pi;
+  for (int side = 0; side < 3; ++side)
   {
-    sum += this->FanAt(triangle, corner).stretch * this->Angle(triangle, corner);
+    const double turn = this->TurnWithin(triangle, side, fans);
+    turned += fans[side].stretch * fans[side].corner;
+    turned += std::abs(turn) < nearlyHalf ? turn : this->TurnForBoth(triangle, side);
   }
-  return sum;
+  return turned;
 }
 
 int DirectionIndex::HalfTurns(Id triangle) const
 {
-  double turned = this->Excess(triangle);
-  for (int side = 0; side < 3; ++side)
-  {
-    turned += this->Turn(triangle, side);
-  }
-  return static_cast<int>(std::lround(turned / Pi));
+  return static_cast<int>(std::lround(this->Turned(triangle) / Pi));
 }
 
 int DirectionIndex::HalfTurns(const std::vector<Id>& region) const
@@ -246,11 +267,7 @@ int DirectionIndex::HalfTurns(const std::vector<Id>& region) const
   double turned = 0.0;
   for (const Id t : region)
   {
-    turned += this->Excess(t);
-    for (int side = 0; side < 3; ++side)
-    {
-      turned += this->Turn(t, side);
-    }
+    turned += this->Turned(t);
   }
   return static_cast<int>(std::lround(turned / Pi));
 }

@@ -4,6 +4,8 @@
 
 #include "AcuteRule.h"
 
+#include <array>
+
 namespace ridges
 {
 
@@ -55,15 +57,19 @@ private:
   struct Fan
   {
     double stretch = 1.0; ///< Of angles: 1 on the border.
-    double angle = 0.0;   ///< Of d1, from the first edge.
+    double angle = 0.0;   ///< Of d1, from the first edge of the triangle at the corner.
+    double corner = 0.0;  ///< The angle of the triangle at the corner, not stretched.
   };
+  using Fans = std::array<Fan, 3>;
+
   Fan FanAt(Id triangle, int corner) const;
+  Fans FansAt(Id triangle) const;
   Id NextInFan(Id triangle, int corner, int& cornerOfNext) const;
   Id PreviousInFan(Id triangle, int corner, int& cornerOfPrevious) const;
   double Angle(Id triangle, int corner) const;
-  double Turn(Id triangle, int side) const;
-  double TurnWithin(Id triangle, int side) const;
-  double Excess(Id triangle) const;
+  double TurnWithin(Id triangle, int side, const Fans& fans) const;
+  double TurnForBoth(Id triangle, int side) const;
+  double Turned(Id triangle) const;
 
   const TriangleMesh& Mesh_;
   MongeField Field_;

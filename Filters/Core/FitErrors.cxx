@@ -9,6 +9,10 @@ namespace ridges
 namespace
 {
 
+/// See FromResiduals. The estimate of n is too rough for n - 15 to be taken for less.
+constexpr double Factor = 140.0;
+constexpr double LeastFreedom = 9.0;
+
 /// About how many points a fit at this point was to, from the area that its scale covers.
 double EstimatePoints(const TriangleMesh& mesh, double scale, Id point)
 {
@@ -50,15 +54,13 @@ double FromResiduals(const TriangleMesh& mesh, const FitErrorSource& source, Id 
       ++count;
     }
   }
-  constexpr double factor = 140.0;
   constexpr double coefficients = 15.0;
-  constexpr double leastFreedom = 9.0; // as the estimate of n is a rough one
   const double freedom =
-    std::max(leastFreedom, EstimatePoints(mesh, source.fitScale[point], point) - coefficients);
+    std::max(LeastFreedom, EstimatePoints(mesh, source.fitScale[point], point) - coefficients);
   // Below this all is rounding: the surface is a polynomial to ten digits over the fitted radius.
   constexpr double rounding = 1e-10;
   const double average = count > 0 ? std::sqrt(sum / count) : 0.0;
-  return std::max(rounding * unit(point), factor / std::sqrt(freedom) * average);
+  return std::max(rounding * unit(point), Factor / std::sqrt(freedom) * average);
 }
 
 } // namespace
@@ -81,6 +83,21 @@ double ExtremalityError(
       .thirdOrderError[4 * static_cast<std::size_t>(point) + (color == Color::Blue ? 0 : 3)];
   }
   return FromResiduals<2>(mesh, source, point);
+}
+
+bool MayBeWeak(const MongeField& field, const FitErrorSource& source, double significance, Id point)
+{
+  if (source.maximumCurvatureError || !source.fitResidual || !source.fitScale)
+  {
+    return true;
+  }
+  constexpr double mostError = Factor / 3.0; // LeastFreedom under the root
+  constexpr double mostOfNeighbors = 4.0;
+  const double scale = source.fitScale[point];
+  const double gap = field.k1[point] - field.k2[point];
+  constexpr double rounding = 1e-10;
+  return !(gap * scale >
+    significance * (mostError * mostOfNeighbors * source.fitResidual[point] + rounding));
 }
 
 bool IsWeak(const TriangleMesh& mesh, const MongeField& field, const double* gapErrors,

@@ -28,6 +28,11 @@ double GapError(const TriangleMesh& mesh, const FitErrorSource& source, Id point
 double ExtremalityError(
   const TriangleMesh& mesh, const FitErrorSource& source, Color color, Id point);
 
+/// A cheap test whether k1 - k2 at a point may be within `significance` standard errors of 0: not
+/// where the point's own residual, four times as large, would not do.
+bool MayBeWeak(
+  const MongeField& field, const FitErrorSource& source, double significance, Id point);
+
 /// Whether k1 - k2, as the mean over the corners, is within `significance` standard errors of 0.
 bool IsWeak(const TriangleMesh& mesh, const MongeField& field, const double* gapErrors,
   double significance, Id triangle);

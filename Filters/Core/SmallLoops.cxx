@@ -36,14 +36,18 @@ bool SmallLoops::IsInsignificant(Id point) const
     std::abs(this->Crossings_.Field().Extremality(color, point)) <= this->Significance_ * error;
 }
 
-// The points that can be reached from one without crossing the fence; more than MostPoints if they
-// are too many.
-std::vector<Id> SmallLoops::PointsBehind(Id start, const std::vector<Id>& fence) const
+// Whether all points that can be reached from one without crossing the fence are insignificant,
+// few, and not that outside.
+bool SmallLoops::IsInsignificantBehind(Id start, Id outside, const std::vector<Id>& fence) const
 {
   const TriangleMesh& mesh = this->Crossings_.Mesh();
   std::vector<Id> points{ start };
-  for (std::size_t i = 0; i < points.size() && points.size() <= MostPoints; ++i)
+  for (std::size_t i = 0; i < points.size(); ++i)
   {
+    if (points[i] == outside || points.size() > MostPoints || !this->IsInsignificant(points[i]))
+    {
+      return false;
+    }
     for (const Id t : mesh.TrianglesAround(points[i]))
     {
       for (int side = 0; side < 3; ++side)
@@ -51,14 +55,15 @@ std::vector<Id> SmallLoops::PointsBehind(Id start, const std::vector<Id>& fence)
         const Id e = mesh.EdgeOf(t, side);
         const Edge& edge = mesh.EdgeAt(e);
         const Id other = edge.v0 == points[i] ? edge.v1 : (edge.v1 == points[i] ? edge.v0 : -1);
-        if (other >= 0 && !IsIn(fence, e) && !IsIn(points, other))
+        if (other >= 0 && !IsIn(points, other) &&
+          !std::binary_search(fence.begin(), fence.end(), e))
         {
           points.push_back(other);
         }
       }
     }
   }
-  return points;
+  return true;
 }
 
 bool SmallLoops::Contain(const Ridge& ridge, const std::vector<RidgeSegment>& segments,
@@ -96,16 +101,8 @@ bool SmallLoops::Contain(const Ridge& ridge, const std::vector<RidgeSegment>& se
     return true;
   }
   const Edge& edge = this->Crossings_.Mesh().EdgeAt(fence.front());
-  for (const Id start : { edge.v0, edge.v1 })
-  {
-    const std::vector<Id> inside = this->PointsBehind(start, fence);
-    if (inside.size() <= MostPoints && !IsIn(inside, start == edge.v0 ? edge.v1 : edge.v0) &&
-      std::all_of(inside.begin(), inside.end(), [this](Id p) { return this->IsInsignificant(p); }))
-    {
-      return true;
-    }
-  }
-  return false;
+  return this->IsInsignificantBehind(edge.v0, edge.v1, fence) ||
+    this->IsInsignificantBehind(edge.v1, edge.v0, fence);
 }
 
 } // namespace ridges

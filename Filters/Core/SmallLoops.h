@@ -23,7 +23,7 @@ public:
 
 private:
   bool IsInsignificant(Id point) const;
-  std::vector<Id> PointsBehind(Id start, const std::vector<Id>& fence) const;
+  bool IsInsignificantBehind(Id start, Id outside, const std::vector<Id>& fence) const;
 
   const RidgeCrossings& Crossings_;
   FitErrorSource Errors_;
