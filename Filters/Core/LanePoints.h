@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Points of a mesh, one per lane: see LaneVector.h. Where it is known how, they are loaded whole
-// and transposed in registers, which takes a quarter of the time of loading coordinate by
-// coordinate. The fourth coordinate is masked out: there may be none.
+// and transposed in registers, rather than coordinate by coordinate. The fourth coordinate is
+// masked out: there may be none.
 #ifndef ridges_LanePoints_h
 #define ridges_LanePoints_h
 
