@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iostream>
+#include <map>
 #include <random>
 
 namespace
@@ -100,6 +101,30 @@ double IndexByTurning(const SymmetricTensor<3>& f)
   return turned / (4.0 * Pi);
 }
 
+// Rays from an umbilic with this cubic form along which the direction of k1 points to it, or that
+// of k2: around a small circle the direction from the umbilic passes the principal one.
+int SeparatricesByCounting(const SymmetricTensor<3>& f, Color color)
+{
+  const int count = 3600;
+  const auto apart = [&f](int i) // Twice the angle between the direction of k1 and the ray.
+  {
+    const double angle = 2.0 * Pi * i / count + 1e-4;
+    const double x = std::cos(angle);
+    const double y = std::sin(angle);
+    const double xx = f[0] * x + f[1] * y;
+    const double xy = f[1] * x + f[2] * y;
+    const double yy = f[2] * x + f[3] * y;
+    return std::atan2(2.0 * xy, xx - yy) - 2.0 * angle;
+  };
+  int rays = 0;
+  for (int i = 0; i < count; ++i)
+  {
+    const bool passes = std::sin(apart(i)) * std::sin(apart(i + 1)) < 0.0;
+    rays += passes && (std::cos(apart(i)) > 0.0) == (color == Color::Blue) ? 1 : 0;
+  }
+  return rays;
+}
+
 std::vector<Umbilic> Detect(const TriangleMesh& mesh, const MongeField& field, double patchSize)
 {
   UmbilicDetector detector(mesh, field, patchSize);
@@ -181,6 +206,33 @@ TEST(UmbilicDetection, RidgeCountAndIndexOfRandomCubicsAreThoseOfCounting)
   EXPECT_GT(seen[0][0], 50);
   EXPECT_GT(seen[0][1], 50);
   EXPECT_GT(seen[1][0], 50);
+}
+
+//------------------------------------------------------------------------------
+TEST(UmbilicDetection, PatternsOfRandomCubicsAreThoseOfCounting)
+{
+  std::mt19937_64 generator(64);
+  std::map<UmbilicPattern, int> seen;
+  for (int trial = 0; trial < 2000; ++trial)
+  {
+    SymmetricTensor<3> f;
+    for (double& value : f)
+    {
+      value = Symmetric(generator);
+    }
+    const double index = IndexByTurning(f);
+    const int separatrices = SeparatricesByCounting(f, Color::Blue);
+    ASSERT_EQ(separatrices, SeparatricesByCounting(f, Color::Red)) << "trial " << trial;
+    const UmbilicPattern expected = index < 0.0
+      ? UmbilicPattern::Star
+      : (separatrices == 1 ? UmbilicPattern::Lemon : UmbilicPattern::Monstar);
+    EXPECT_EQ(separatrices, expected == UmbilicPattern::Lemon ? 1 : 3) << "trial " << trial;
+    EXPECT_EQ(PatternOf(f, index), expected) << "trial " << trial;
+    ++seen[expected];
+  }
+  EXPECT_GT(seen[UmbilicPattern::Lemon], 50);
+  EXPECT_GT(seen[UmbilicPattern::Monstar], 50);
+  EXPECT_GT(seen[UmbilicPattern::Star], 50);
 }
 
 //------------------------------------------------------------------------------

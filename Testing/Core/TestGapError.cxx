@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "TestFields.h"
+
+#include "GapError.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+namespace
+{
+
+using namespace ridges;
+using namespace ridges::testing;
+
+} // namespace
+
+//------------------------------------------------------------------------------
+TEST(GapError, IsThatOfTheTwoCurvaturesTogether)
+{
+  const MeshedSurface surface(Icosphere(2));
+  const TriangleMesh& mesh = surface.Triangles();
+  const std::vector<double> error1(mesh.NumberOfPoints(), 3.0);
+  const std::vector<double> error2(mesh.NumberOfPoints(), 4.0);
+  const std::vector<double> other(mesh.NumberOfPoints(), 17.0);
+  GapErrorSource source;
+  source.maximumCurvatureError = error1.data();
+  source.minimumCurvatureError = error2.data();
+  EXPECT_EQ(GapError(mesh, source, 5), 5.0);
+  source.fitResidual = other.data();
+  source.fitScale = other.data();
+  EXPECT_EQ(GapError(mesh, source, 5), 5.0); // Standard errors come first.
+}
+
+//------------------------------------------------------------------------------
+TEST(GapError, OfResidualsIsTheirMeanSquareAround)
+{
+  const MeshedSurface surface(Icosphere(4));
+  const TriangleMesh& mesh = surface.Triangles();
+  std::vector<double> residual(mesh.NumberOfPoints(), 1e-3);
+  std::vector<double> scale(mesh.NumberOfPoints(), 0.5);
+  GapErrorSource source;
+  source.fitResidual = residual.data();
+  EXPECT_EQ(GapError(mesh, source, 5), 0.0); // Nothing is known without the scale.
+  source.fitScale = scale.data();
+  const double even = GapError(mesh, source, 5);
+  EXPECT_GT(even, 0.0);
+  for (double& value : residual)
+  {
+    value *= 2.0;
+  }
+  EXPECT_NEAR(GapError(mesh, source, 5), 2.0 * even, 1e-14); // Round-off.
+  for (double& value : scale)
+  {
+    value *= 4.0;
+  }
+  EXPECT_NEAR(GapError(mesh, source, 5), 0.5 * even, 1e-14); // A curvature: one over a length.
+
+  // One lucky fit says little.
+  residual[5] = 0.0;
+  EXPECT_GT(GapError(mesh, source, 5), 0.25 * even);
+  EXPECT_LT(GapError(mesh, source, 5), 0.5 * even);
+}
+
+//------------------------------------------------------------------------------
+TEST(GapError, OfAnExactFitIsRounding)
+{
+  const MeshedSurface surface(Icosphere(2));
+  const TriangleMesh& mesh = surface.Triangles();
+  const std::vector<double> residual(mesh.NumberOfPoints(), 0.0);
+  std::vector<double> scale(mesh.NumberOfPoints(), 1e-3);
+  GapErrorSource source;
+  source.fitResidual = residual.data();
+  source.fitScale = scale.data();
+  EXPECT_GT(GapError(mesh, source, 3), 0.0);
+  EXPECT_LT(GapError(mesh, source, 3), 1e-6 / 1e-3);
+  scale.assign(scale.size(), 0.0); // No fit at all.
+  EXPECT_EQ(GapError(mesh, source, 3), 0.0);
+}
+
+//------------------------------------------------------------------------------
+TEST(IsWeak, ComparesTheMeanGapWithItsError)
+{
+  const MeshedSurface surface(Icosphere(2));
+  const TriangleMesh& mesh = surface.Triangles();
+  FieldArrays field(mesh.NumberOfPoints());
+  std::vector<double> errors(mesh.NumberOfPoints(), 0.25);
+  const Triangle& corners = mesh.Corners(11);
+  for (int i = 0; i < 3; ++i)
+  {
+    field.k1[corners[i]] = 1.0 + i; // Gaps of 1, 2 and 3: 8 errors on average.
+  }
+  EXPECT_FALSE(IsWeak(mesh, field.View(), errors.data(), 7.9, 11));
+  EXPECT_TRUE(IsWeak(mesh, field.View(), errors.data(), 8.1, 11));
+  EXPECT_FALSE(IsWeak(mesh, field.View(), errors.data(), 0.0, 11));
+  errors.assign(errors.size(), 0.0); // Nothing is known: directions are believed.
+  EXPECT_FALSE(IsWeak(mesh, field.View(), errors.data(), 100.0, 11));
+}
