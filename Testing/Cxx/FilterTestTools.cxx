@@ -20,9 +20,12 @@
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
 #include <cmath>
 #include <random>
 #include <stdexcept>
+#include <utility>
+#include <vector>
 
 namespace ridges
 {
@@ -58,6 +61,30 @@ void ForArrays(vtkPolyData* data, Action action)
       }
     }
   }
+}
+
+/// Names and bytes of all arrays.
+std::vector<std::pair<std::string, std::string>> PartsOf(vtkPolyData* data)
+{
+  std::vector<std::pair<std::string, std::string>> parts;
+  const auto append = [&parts](vtkDataArray* array, const char* name)
+  {
+    std::string bytes = name + std::to_string(array->GetNumberOfComponents());
+    if (array->GetNumberOfTuples() > 0)
+    {
+      bytes.append(static_cast<const char*>(array->GetVoidPointer(0)),
+        static_cast<std::size_t>(array->GetDataSize()) * array->GetDataTypeSize());
+    }
+    parts.emplace_back(name, std::move(bytes));
+  };
+  ForArrays(data, append);
+  for (vtkCellArray* cells :
+    { data->GetVerts(), data->GetLines(), data->GetPolys(), data->GetStrips() })
+  {
+    append(cells->GetOffsetsArray(), "offsets");
+    append(cells->GetConnectivityArray(), "connectivity");
+  }
+  return parts;
 }
 
 } // namespace
@@ -208,23 +235,25 @@ void ExpectAllFinite(vtkPolyData* data)
 std::string BytesOf(vtkPolyData* data)
 {
   std::string bytes;
-  const auto append = [&bytes](vtkDataArray* array, const char* name)
+  for (const auto& part : PartsOf(data))
   {
-    bytes.append(name).append(std::to_string(array->GetNumberOfComponents()));
-    if (array->GetNumberOfTuples() > 0)
-    {
-      bytes.append(static_cast<const char*>(array->GetVoidPointer(0)),
-        static_cast<std::size_t>(array->GetDataSize()) * array->GetDataTypeSize());
-    }
-  };
-  ForArrays(data, append);
-  for (vtkCellArray* cells :
-    { data->GetVerts(), data->GetLines(), data->GetPolys(), data->GetStrips() })
-  {
-    append(cells->GetOffsetsArray(), "offsets");
-    append(cells->GetConnectivityArray(), "connectivity");
+    bytes += part.second;
   }
   return bytes;
+}
+
+std::string FirstDifference(vtkPolyData* a, vtkPolyData* b)
+{
+  const auto partsOfA = PartsOf(a);
+  const auto partsOfB = PartsOf(b);
+  for (std::size_t i = 0; i < std::min(partsOfA.size(), partsOfB.size()); ++i)
+  {
+    if (partsOfA[i] != partsOfB[i])
+    {
+      return partsOfA[i].first + " and " + partsOfB[i].first;
+    }
+  }
+  return partsOfA.size() == partsOfB.size() ? "" : "number of arrays";
 }
 
 bool IsEmpty(vtkPolyData* data)

@@ -61,6 +61,10 @@ void ExpectAllFinite(vtkPolyData* data);
 /// Points, cells and all arrays with their names, byte for byte.
 std::string BytesOf(vtkPolyData* data);
 
+/// The name of the first array, or of the coordinates or cells, that is not the same in both, byte
+/// for byte; empty if all is.
+std::string FirstDifference(vtkPolyData* a, vtkPolyData* b);
+
 /// Empty: no points and no cells.
 bool IsEmpty(vtkPolyData* data);
 

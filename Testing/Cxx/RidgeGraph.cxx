@@ -3,20 +3,20 @@
 
 #include "EndMatching.h"
 #include "FilterTestTools.h"
+#include "MongeMesh.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkIdList.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
+#include "vtkRidgesArrayNames.h"
 
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
-#include <Eigen/LU>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
 #include <set>
@@ -30,12 +30,7 @@ namespace testing
 namespace
 {
 
-using EdgeKey = std::pair<vtkIdType, vtkIdType>;
-
-EdgeKey KeyOf(vtkIdType p, vtkIdType q)
-{
-  return { std::min(p, q), std::max(p, q) };
-}
+namespace names = vtkRidgesArrayNames;
 
 std::vector<vtkIdType> LineIds(vtkPolyData* ridges, vtkIdType line)
 {
@@ -46,85 +41,20 @@ std::vector<vtkIdType> LineIds(vtkPolyData* ridges, vtkIdType line)
 
 EdgeKey EdgeOfPoint(vtkPolyData* ridges, vtkIdType point)
 {
-  return { static_cast<vtkIdType>(Value(ridges->GetPointData(), "EdgePoint0", point)),
-    static_cast<vtkIdType>(Value(ridges->GetPointData(), "EdgePoint1", point)) };
+  return { static_cast<vtkIdType>(Value(ridges->GetPointData(), names::EdgePoint0, point)),
+    static_cast<vtkIdType>(Value(ridges->GetPointData(), names::EdgePoint1, point)) };
 }
 
-/// The usable triangles of a mesh with Monge arrays, and the acute rule on them.
-class MongeMesh
+bool IsOnEdge(vtkPolyData* ridges, vtkIdType point)
 {
-public:
-  explicit MongeMesh(vtkPolyData* mesh)
-    : Mesh_(mesh)
-  {
-    vtkNew<vtkIdList> ids;
-    for (vtkIdType cell = 0; cell < mesh->GetNumberOfPolys(); ++cell)
-    {
-      mesh->GetPolys()->GetCellAtId(cell, ids);
-      const std::vector<vtkIdType> corners(ids->begin(), ids->end());
-      const bool distinct = std::set<vtkIdType>(corners.begin(), corners.end()).size() == 3;
-      if (distinct &&
-        std::all_of(
-          corners.begin(), corners.end(), [this](vtkIdType p) { return this->IsUsable(p); }))
-      {
-        for (int i = 0; i < 3; ++i)
-        {
-          this->Sides[KeyOf(corners[i], corners[(i + 1) % 3])].push_back(this->Triangles.size());
-        }
-        this->Triangles.push_back({ corners[0], corners[1], corners[2] });
-      }
-    }
-  }
+  return EdgeOfPoint(ridges, point).first >= 0;
+}
 
-  bool Crosses(const EdgeKey& edge, bool maximum) const
-  {
-    const auto sign = [&](vtkIdType p) {
-      return Value(this->Mesh_->GetPointData(), "ThirdOrder", p, maximum ? 0 : 3) >= 0.0 ? 1 : -1;
-    };
-    return this->AcuteSign(edge) * sign(edge.first) * sign(edge.second) < 0;
-  }
-
-  bool IsSingular(std::size_t triangle) const
-  {
-    const auto& t = this->Triangles[triangle];
-    return this->AcuteSign({ t[0], t[1] }) * this->AcuteSign({ t[1], t[2] }) *
-      this->AcuteSign({ t[2], t[0] }) <
-      0;
-  }
-
-  bool Contains(std::size_t triangle, const Eigen::Vector3d& x) const
-  {
-    const auto& t = this->Triangles[triangle];
-    const Eigen::Vector3d origin = PointAt(this->Mesh_, t[0]);
-    Eigen::Matrix3d sides;
-    sides.col(0) = PointAt(this->Mesh_, t[1]) - origin;
-    sides.col(1) = PointAt(this->Mesh_, t[2]) - origin;
-    sides.col(2) = sides.col(0).cross(sides.col(1)).normalized() * sides.col(0).norm();
-    const Eigen::Vector3d weights = sides.fullPivLu().solve(x - origin);
-    constexpr double tolerance = 1e-9; // far above round-off, far below the size of a triangle
-    return weights[0] >= -tolerance && weights[1] >= -tolerance &&
-      weights[0] + weights[1] <= 1.0 + tolerance && std::abs(weights[2]) <= tolerance;
-  }
-
-  std::vector<std::array<vtkIdType, 3>> Triangles;
-  std::map<EdgeKey, std::vector<std::size_t>> Sides;
-
-private:
-  bool IsUsable(vtkIdType p) const
-  {
-    vtkDataArray* status = this->Mesh_->GetPointData()->GetArray("FitStatus");
-    return !status || !(static_cast<int>(status->GetComponent(p, 0)) & 8);
-  }
-
-  int AcuteSign(const EdgeKey& edge) const
-  {
-    vtkPointData* data = this->Mesh_->GetPointData();
-    const Eigen::Vector3d d = VectorAt(data, "MaximumDirection", edge.first);
-    return d.dot(VectorAt(data, "MaximumDirection", edge.second)) >= 0.0 ? 1 : -1;
-  }
-
-  vtkPolyData* Mesh_;
-};
+bool IsTurningPointInTriangle(vtkPolyData* ridges, vtkIdType point)
+{
+  return !IsOnEdge(ridges, point) &&
+    Value(ridges->GetPointData(), names::TurningPoint, point) != 0.0;
+}
 
 /// The points of one colour, with the points they are joined to.
 using Joined = std::map<vtkIdType, std::vector<vtkIdType>>;
@@ -134,7 +64,7 @@ Joined JoinPoints(vtkPolyData* ridges, bool maximum)
   Joined joined;
   for (vtkIdType line = 0; line < ridges->GetNumberOfLines(); ++line)
   {
-    const int type = static_cast<int>(Value(ridges->GetCellData(), "RidgeType", line));
+    const int type = static_cast<int>(Value(ridges->GetCellData(), names::RidgeType, line));
     if ((type <= 2) == maximum)
     {
       const std::vector<vtkIdType> ids = LineIds(ridges, line);
@@ -148,43 +78,23 @@ Joined JoinPoints(vtkPolyData* ridges, bool maximum)
   return joined;
 }
 
-/// The singular triangles that contain the point and have all the edges of its neighbours.
-std::vector<std::size_t> SingularTrianglesOf(const MongeMesh& mesh, vtkPolyData* ridges,
-  vtkIdType point, const std::vector<vtkIdType>& neighbors)
+double SizeOf(vtkPolyData* data)
 {
-  std::vector<std::size_t> triangles;
-  const auto sides = mesh.Sides.find(EdgeOfPoint(ridges, neighbors.front()));
-  if (sides != mesh.Sides.end())
+  double size = 0.0;
+  for (vtkIdType p = 0; p < data->GetNumberOfPoints(); ++p)
   {
-    for (const std::size_t t : sides->second)
-    {
-      const bool hasAll = std::all_of(neighbors.begin(), neighbors.end(),
-        [&](vtkIdType neighbor)
-        {
-          const auto other = mesh.Sides.find(EdgeOfPoint(ridges, neighbor));
-          return other != mesh.Sides.end() &&
-            std::find(other->second.begin(), other->second.end(), t) != other->second.end();
-        });
-      if (hasAll && mesh.IsSingular(t) && mesh.Contains(t, PointAt(ridges, point)))
-      {
-        triangles.push_back(t);
-      }
-    }
+    size = std::max(size, PointAt(data, p).cwiseAbs().maxCoeff());
   }
-  return triangles;
+  return size;
 }
 
 void ExpectPointsOnEdges(vtkPolyData* mesh, vtkPolyData* ridges)
 {
-  double size = 0.0;
-  for (vtkIdType p = 0; p < mesh->GetNumberOfPoints(); ++p)
-  {
-    size = std::max(size, PointAt(mesh, p).cwiseAbs().maxCoeff());
-  }
+  const double size = SizeOf(ridges);
   for (vtkIdType i = 0; i < ridges->GetNumberOfPoints(); ++i)
   {
     const EdgeKey edge = EdgeOfPoint(ridges, i);
-    const double t = Value(ridges->GetPointData(), "EdgeParameter", i);
+    const double t = Value(ridges->GetPointData(), names::EdgeParameter, i);
     ASSERT_TRUE(t >= 0.0 && t <= 1.0) << t;
     if (edge.first < 0)
     {
@@ -192,6 +102,7 @@ void ExpectPointsOnEdges(vtkPolyData* mesh, vtkPolyData* ridges)
       continue;
     }
     ASSERT_LT(edge.first, edge.second);
+    ASSERT_EQ(Value(ridges->GetPointData(), names::Umbilic, i), -1.0);
     const Eigen::Vector3d expected =
       (1.0 - t) * PointAt(mesh, edge.first) + t * PointAt(mesh, edge.second);
     // Round-off only.
@@ -199,42 +110,309 @@ void ExpectPointsOnEdges(vtkPolyData* mesh, vtkPolyData* ridges)
   }
 }
 
-void ExpectCompleteColor(
-  const MongeMesh& mesh, vtkPolyData* ridges, const Joined& joined, bool maximum)
+/// Takes turning points inside triangles out of the pieces that they lie on.
+void SpliceTurningPoints(const MongeMesh& mesh, vtkPolyData* ridges, Joined& joined)
 {
-  std::map<EdgeKey, std::size_t> pointsOnEdge;
-  std::vector<std::vector<std::size_t>> ends;
-  for (const auto& [point, neighbors] : joined)
+  const double roundOff = 1e-14 * SizeOf(ridges);
+  for (auto at = joined.begin(); at != joined.end();)
   {
-    const EdgeKey edge = EdgeOfPoint(ridges, point);
-    if (edge.first < 0)
+    const vtkIdType point = at->first;
+    if (!IsTurningPointInTriangle(ridges, point))
     {
-      ASSERT_TRUE(neighbors.size() == 1 || neighbors.size() == 3) << neighbors.size();
-      ends.push_back(SingularTrianglesOf(mesh, ridges, point, neighbors));
-      ASSERT_FALSE(ends.back().empty()) << "a ridge ends in a regular triangle";
+      ++at;
       continue;
     }
-    ++pointsOnEdge[edge];
-    const auto sides = mesh.Sides.find(edge);
-    ASSERT_NE(sides, mesh.Sides.end()) << "no such edge";
-    ASSERT_EQ(neighbors.size(), sides->second.size() == 2 ? 2u : 1u)
-      << "at the edge " << edge.first << " " << edge.second;
+    ASSERT_EQ(Value(ridges->GetPointData(), names::Umbilic, point), -1.0);
+    ASSERT_EQ(at->second.size(), 2u) << "at a turning point";
+    const vtkIdType a = at->second[0];
+    const vtkIdType b = at->second[1];
+    ASSERT_TRUE(IsOnEdge(ridges, a) && IsOnEdge(ridges, b));
+    ASSERT_FALSE(mesh.TrianglesWith({ EdgeOfPoint(ridges, a), EdgeOfPoint(ridges, b) }).empty());
+    const Eigen::Vector3d x = PointAt(ridges, point);
+    const double there = (x - PointAt(ridges, a)).norm() + (x - PointAt(ridges, b)).norm();
+    ASSERT_LE(there - (PointAt(ridges, a) - PointAt(ridges, b)).norm(), roundOff);
+    std::replace(joined[a].begin(), joined[a].end(), point, b);
+    std::replace(joined[b].begin(), joined[b].end(), point, a);
+    at = joined.erase(at);
   }
-  for (const auto& [edge, sides] : mesh.Sides)
+}
+
+/// One colour on the mesh, without its turning points.
+class ColorCheck
+{
+public:
+  ColorCheck(const MongeMesh& mesh, vtkPolyData* ridges, const Joined& joined, bool maximum)
+    : Mesh_(mesh)
+    , Ridges_(ridges)
+    , Joined_(joined)
+    , Maximum_(maximum)
   {
+  }
+
+  void ExpectCrossings() const;
+  void ExpectEnds();
+  void ExpectNoPiecesCross() const;
+
+private:
+  /// A piece in a triangle, from one place on its border to another, or to an umbilic inside.
+  struct Piece
+  {
+    double from;
+    double to; ///< Negative at an umbilic.
+  };
+
+  std::vector<EdgeKey> EdgesOf(const std::vector<vtkIdType>& points) const;
+  std::vector<std::size_t> SingularTrianglesOf(
+    vtkIdType point, const std::vector<vtkIdType>& neighbors) const;
+  std::size_t ExpectedEndsAt(const MongeMesh::Region& region, std::size_t crossings) const;
+  bool IsDrawnAnew(std::size_t region) const;
+  std::vector<std::size_t> EarsAmong(
+    const std::vector<std::size_t>& triangles, const EdgeKey& edge) const;
+  double PlaceOnBorder(std::size_t triangle, vtkIdType point) const;
+  static bool Cross(const Piece& a, const Piece& b);
+
+  const MongeMesh& Mesh_;
+  vtkPolyData* Ridges_;
+  const Joined& Joined_;
+  bool Maximum_;
+  std::map<vtkIdType, std::size_t> TriangleOfUmbilic_;
+};
+
+std::vector<EdgeKey> ColorCheck::EdgesOf(const std::vector<vtkIdType>& points) const
+{
+  std::vector<EdgeKey> edges;
+  for (const vtkIdType point : points)
+  {
+    edges.push_back(EdgeOfPoint(this->Ridges_, point));
+  }
+  return edges;
+}
+
+void ColorCheck::ExpectCrossings() const
+{
+  std::map<EdgeKey, std::size_t> pointsOnEdge;
+  for (const auto& [point, neighbors] : this->Joined_)
+  {
+    if (IsOnEdge(this->Ridges_, point))
+    {
+      const EdgeKey edge = EdgeOfPoint(this->Ridges_, point);
+      ++pointsOnEdge[edge];
+      const auto sides = this->Mesh_.Sides.find(edge);
+      ASSERT_NE(sides, this->Mesh_.Sides.end()) << "no such edge";
+      ASSERT_EQ(neighbors.size(), sides->second.size() == 2 ? 2u : 1u)
+        << "at the edge " << edge.first << " " << edge.second;
+    }
+  }
+  for (const auto& [edge, sides] : this->Mesh_.Sides)
+  {
+    const std::size_t region = this->Mesh_.RegionAround(edge);
+    if (region != MongeMesh::None && this->IsDrawnAnew(region))
+    {
+      continue;
+    }
     const std::size_t stops = sides.size() <= 2 ? 1 : sides.size();
-    const std::size_t expected = mesh.Crosses(edge, maximum) ? stops : 0;
+    const std::size_t expected = this->Mesh_.Crosses(edge, this->Maximum_) ? stops : 0;
     const auto found = pointsOnEdge.find(edge);
     ASSERT_EQ(found == pointsOnEdge.end() ? 0 : found->second, expected)
       << "at the edge " << edge.first << " " << edge.second;
   }
-  std::size_t singular = 0;
-  for (std::size_t t = 0; t < mesh.Triangles.size(); ++t)
+}
+
+/// Whether more or other triangles are singular in a region than that of its umbilic.
+bool ColorCheck::IsDrawnAnew(std::size_t region) const
+{
+  const MongeMesh::Region& r = this->Mesh_.Regions[region];
+  const std::size_t crossings = this->Mesh_.CountContourCrossings(region, this->Maximum_);
+  if (r.umbilic == MongeMesh::None)
   {
-    singular += mesh.IsSingular(t) ? 1 : 0;
+    return crossings % 2 == 0;
+  }
+  return true;
+}
+
+std::vector<std::size_t> ColorCheck::SingularTrianglesOf(
+  vtkIdType point, const std::vector<vtkIdType>& neighbors) const
+{
+  std::vector<std::size_t> triangles;
+  for (const std::size_t t : this->Mesh_.TrianglesWith(this->EdgesOf(neighbors)))
+  {
+    const std::size_t region = this->Mesh_.RegionOf[t];
+    const bool marched = region == MongeMesh::None || !this->IsDrawnAnew(region);
+    if (marched && this->Mesh_.IsSingular(t) &&
+      this->Mesh_.Contains(t, PointAt(this->Ridges_, point)))
+    {
+      triangles.push_back(t);
+    }
+  }
+  return triangles;
+}
+
+/// Crossings are joined in pairs until no more are left than have to meet at the umbilic.
+std::size_t ColorCheck::ExpectedEndsAt(const MongeMesh::Region& region, std::size_t crossings) const
+{
+  const bool anySingular = std::any_of(region.triangles.begin(), region.triangles.end(),
+    [this](std::size_t t) { return this->Mesh_.IsSingular(t); });
+  const auto wanted = static_cast<std::size_t>(region.ridgeCount);
+  if (!anySingular)
+  {
+    return 0;
+  }
+  return crossings <= wanted ? crossings : wanted - (crossings - wanted) % 2;
+}
+
+void ColorCheck::ExpectEnds()
+{
+  std::vector<std::vector<std::size_t>> ends;
+  std::map<std::size_t, std::size_t> endsAtUmbilic;
+  for (const auto& [point, neighbors] : this->Joined_)
+  {
+    if (IsOnEdge(this->Ridges_, point))
+    {
+      continue;
+    }
+    const auto umbilic =
+      static_cast<vtkIdType>(Value(this->Ridges_->GetPointData(), names::Umbilic, point));
+    if (umbilic < 0)
+    {
+      ASSERT_TRUE(neighbors.size() == 1 || neighbors.size() == 3) << neighbors.size();
+      ends.push_back(this->SingularTrianglesOf(point, neighbors));
+      ASSERT_FALSE(ends.back().empty()) << "a ridge ends in a regular triangle or in a patch";
+      this->TriangleOfUmbilic_[point] = ends.back().front();
+      continue;
+    }
+    ASSERT_LT(static_cast<std::size_t>(umbilic), this->Mesh_.Regions.size());
+    const std::size_t t = this->Mesh_.Regions[umbilic].umbilic;
+    ASSERT_NE(t, MongeMesh::None) << "an umbilic without a triangle";
+    ASSERT_TRUE(this->Mesh_.Contains(t, PointAt(this->Ridges_, point)));
+    for (const vtkIdType neighbor : neighbors)
+    {
+      const EdgeKey edge = EdgeOfPoint(this->Ridges_, neighbor);
+      ASSERT_TRUE(edge == this->Mesh_.SideOf(t, 0) || edge == this->Mesh_.SideOf(t, 1) ||
+        edge == this->Mesh_.SideOf(t, 2));
+    }
+    ASSERT_EQ(endsAtUmbilic.count(umbilic), 0u) << "two points for one umbilic";
+    endsAtUmbilic[umbilic] = neighbors.size();
+    this->TriangleOfUmbilic_[point] = t;
+  }
+  for (std::size_t r = 0; r < this->Mesh_.Regions.size(); ++r)
+  {
+    const MongeMesh::Region& region = this->Mesh_.Regions[r];
+    if (region.umbilic != MongeMesh::None && this->Mesh_.IsDisk(region))
+    {
+      ASSERT_EQ(endsAtUmbilic[r],
+        this->ExpectedEndsAt(region, this->Mesh_.CountContourCrossings(r, this->Maximum_)))
+        << "at umbilic " << r;
+    }
+  }
+  std::size_t singular = 0;
+  for (std::size_t t = 0; t < this->Mesh_.Triangles.size(); ++t)
+  {
+    const std::size_t region = this->Mesh_.RegionOf[t];
+    const bool marched = region == MongeMesh::None || !this->IsDrawnAnew(region);
+    singular += marched && this->Mesh_.IsSingular(t) ? 1 : 0;
   }
   ASSERT_EQ(ends.size(), singular);
   ASSERT_TRUE(EndMatching(ends).Match()) << "two umbilics in one triangle";
+}
+
+/// Of the triangles at an edge those that hang on their region by this edge alone.
+std::vector<std::size_t> ColorCheck::EarsAmong(
+  const std::vector<std::size_t>& triangles, const EdgeKey& edge) const
+{
+  std::vector<std::size_t> ears;
+  for (const std::size_t t : triangles)
+  {
+    int inner = 0;
+    for (int side = 0; side < 3; ++side)
+    {
+      const EdgeKey other = this->Mesh_.SideOf(t, side);
+      inner += other != edge && this->Mesh_.RegionAround(other) != MongeMesh::None ? 1 : 0;
+    }
+    if (inner == 0)
+    {
+      ears.push_back(t);
+    }
+  }
+  return ears;
+}
+
+/// From 0 to 3 around the triangle.
+double ColorCheck::PlaceOnBorder(std::size_t triangle, vtkIdType point) const
+{
+  const EdgeKey edge = EdgeOfPoint(this->Ridges_, point);
+  const double t = Value(this->Ridges_->GetPointData(), names::EdgeParameter, point);
+  int side = 0;
+  while (this->Mesh_.SideOf(triangle, side) != edge)
+  {
+    ++side;
+  }
+  const bool forward = this->Mesh_.Triangles[triangle][side] == edge.first;
+  return std::fmod(side + (forward ? t : 1.0 - t), 3.0);
+}
+
+/// Whether their ends alternate around the triangle.
+bool ColorCheck::Cross(const Piece& a, const Piece& b)
+{
+  if (a.to < 0.0 || b.to < 0.0)
+  {
+    return false; // lines to one point, or seen to by ExpectNoPiecesCross
+  }
+  const double low = std::min(a.from, a.to);
+  const double high = std::max(a.from, a.to);
+  const auto where = [&](double x)
+  { return x > low && x < high ? 1 : (x < low || x > high ? 2 : 0); };
+  return where(b.from) + where(b.to) == 3 && where(b.from) != 0 && where(b.to) != 0;
+}
+
+void ColorCheck::ExpectNoPiecesCross() const
+{
+  std::map<std::size_t, std::vector<Piece>> pieces;
+  for (const auto& [point, neighbors] : this->Joined_)
+  {
+    for (const vtkIdType neighbor : neighbors)
+    {
+      const auto umbilic = this->TriangleOfUmbilic_.find(neighbor);
+      if (umbilic != this->TriangleOfUmbilic_.end())
+      {
+        pieces[umbilic->second].push_back({ this->PlaceOnBorder(umbilic->second, point), -1.0 });
+      }
+      else if (point < neighbor && IsOnEdge(this->Ridges_, point))
+      {
+        const EdgeKey from = EdgeOfPoint(this->Ridges_, point);
+        const EdgeKey to = EdgeOfPoint(this->Ridges_, neighbor);
+        const auto triangles = this->Mesh_.TrianglesWith({ from, to });
+        ASSERT_FALSE(triangles.empty()) << "a piece outside all triangles";
+        // Along the contour of a patch a piece may follow the inner edge of a triangle.
+        ASSERT_TRUE(from != to || this->Mesh_.RegionAround(from) != MongeMesh::None);
+        const auto inside = from == to ? this->EarsAmong(triangles, from) : triangles;
+        if (inside.size() == 1)
+        {
+          pieces[inside[0]].push_back(
+            { this->PlaceOnBorder(inside[0], point), this->PlaceOnBorder(inside[0], neighbor) });
+        }
+      }
+    }
+  }
+  for (const auto& [triangle, inside] : pieces)
+  {
+    for (std::size_t i = 0; i < inside.size(); ++i)
+    {
+      // All that run to an umbilic leave any other piece on one side.
+      for (std::size_t j = 0; j < i; ++j)
+      {
+        ASSERT_FALSE(Cross(inside[i], inside[j]))
+          << "in triangle " << triangle << ": from " << inside[i].from << " to " << inside[i].to
+          << ", and from " << inside[j].from << " to " << inside[j].to;
+        if (inside[i].to < 0.0 && inside[j].to < 0.0)
+        {
+          const Piece both = { inside[i].from, inside[j].from };
+          const bool crossed = std::any_of(
+            inside.begin(), inside.end(), [&](const Piece& other) { return Cross(both, other); });
+          ASSERT_FALSE(crossed) << "at the umbilic in triangle " << triangle;
+        }
+      }
+    }
+  }
 }
 
 } // namespace
@@ -246,7 +424,25 @@ void ExpectCompleteRidgeGraph(vtkPolyData* mesh, vtkPolyData* ridges)
   for (const bool maximum : { true, false })
   {
     SCOPED_TRACE(maximum ? "maximum" : "minimum");
-    ExpectCompleteColor(mongeMesh, ridges, JoinPoints(ridges, maximum), maximum);
+    Joined joined = JoinPoints(ridges, maximum);
+    ASSERT_NO_FATAL_FAILURE(SpliceTurningPoints(mongeMesh, ridges, joined));
+    ColorCheck check(mongeMesh, ridges, joined, maximum);
+    ASSERT_NO_FATAL_FAILURE(check.ExpectCrossings());
+    ASSERT_NO_FATAL_FAILURE(check.ExpectEnds());
+  }
+}
+
+void ExpectNoRidgesCross(vtkPolyData* mesh, vtkPolyData* ridges)
+{
+  const MongeMesh mongeMesh(mesh);
+  for (const bool maximum : { true, false })
+  {
+    SCOPED_TRACE(maximum ? "maximum" : "minimum");
+    Joined joined = JoinPoints(ridges, maximum);
+    ASSERT_NO_FATAL_FAILURE(SpliceTurningPoints(mongeMesh, ridges, joined));
+    ColorCheck check(mongeMesh, ridges, joined, maximum);
+    ASSERT_NO_FATAL_FAILURE(check.ExpectEnds());
+    ASSERT_NO_FATAL_FAILURE(check.ExpectNoPiecesCross());
   }
 }
 
@@ -254,19 +450,20 @@ void ExpectJoinedPolylines(vtkPolyData* ridges)
 {
   vtkCellData* data = ridges->GetCellData();
   const vtkIdType count = ridges->GetNumberOfLines();
-  for (vtkIdType first = 0; first < count;)
+  double ridge = 0.0;
+  for (vtkIdType first = 0; first < count; ridge += 1.0)
   {
-    const double id = Value(data, "RidgeId", first);
+    ASSERT_EQ(Value(data, names::RidgeId, first), ridge);
     vtkIdType last = first;
-    for (; last + 1 < count && Value(data, "RidgeId", last + 1) == id; ++last)
+    for (; last + 1 < count && Value(data, names::RidgeId, last + 1) == ridge; ++last)
     {
       ASSERT_EQ(LineIds(ridges, last).back(), LineIds(ridges, last + 1).front()) << last;
-      ASSERT_EQ(Value(data, "Closed", last), Value(data, "Closed", last + 1));
+      ASSERT_EQ(Value(data, names::Closed, last), Value(data, names::Closed, last + 1));
     }
     const bool comesBack = LineIds(ridges, first).front() == LineIds(ridges, last).back();
-    if (Value(data, "Closed", first) != 0.0)
+    if (Value(data, names::Closed, first) != 0.0)
     {
-      ASSERT_TRUE(comesBack) << "ridge " << id;
+      ASSERT_TRUE(comesBack) << "ridge " << ridge;
     }
     first = last + 1;
   }

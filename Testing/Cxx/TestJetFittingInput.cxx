@@ -101,7 +101,7 @@ TEST(JetFittingInput, IsNotModified)
   mesh->GetCellData()->AddArray(cellIds);
   const std::string before = BytesOf(mesh);
   const Outputs outputs = RunFilters(mesh);
-  EXPECT_EQ(BytesOf(mesh), before);
+  EXPECT_TRUE(BytesOf(mesh) == before);
   EXPECT_EQ(mesh->GetPointData()->GetNumberOfArrays(), 0);
   EXPECT_EQ(mesh->GetPointData()->GetNormals(), nullptr);
   EXPECT_EQ(mesh->GetFieldData()->GetNumberOfArrays(), 0);
@@ -187,7 +187,7 @@ TEST(JetFittingInput, VertsAndLinesAreKeptAndPassedOver)
   EXPECT_EQ(fitting.Output()->GetNumberOfPolys(), plain->GetNumberOfPolys());
   fitting.Output()->SetVerts(nullptr);
   fitting.Output()->SetLines(nullptr);
-  EXPECT_EQ(BytesOf(fitting.Output()), BytesOf(expected.Output()));
+  EXPECT_EQ(FirstDifference(fitting.Output(), expected.Output()), "");
 }
 
 TEST(JetFittingInput, QuadsAreTriangulatedWithOneWarning)

@@ -50,6 +50,10 @@ class CleanMeshes : public RealMeshes
 {
 };
 
+class UncrossedMeshes : public RealMeshes
+{
+};
+
 void ExpectSoundRidges(const Outputs& outputs)
 {
   EXPECT_EQ(outputs.errors, "");
@@ -75,6 +79,19 @@ TEST_P(RealMeshes, RunThroughAndEndRidgesOnlyWhereTheyMay)
 {
   ExpectSoundRidges(RunFilters(program::ReadOff(this->Path)));
 }
+
+TEST_P(UncrossedMeshes, HaveRidgesThatDoNotCross)
+{
+  const Outputs outputs = RunFilters(program::ReadOff(this->Path));
+  ExpectNoRidgesCross(outputs.marked, outputs.ridges);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+  Scans, UncrossedMeshes, ::testing::Values("blade", "mushroom", "fandisk_large"));
+
+// Where three ridges meet and run to their umbilic over one triangle.
+INSTANTIATE_TEST_SUITE_P(DISABLED_Scans, UncrossedMeshes,
+  ::testing::Values("bunny00", "mannequin-devil", "elephant-with-holes"));
 
 INSTANTIATE_TEST_SUITE_P(Scans, CleanMeshes, ::testing::Values("bunny00", "mannequin-devil"));
 

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The combinatorial promise of vtkRidgeExtraction: on any mesh and with any values every crossing
-// is in one ridge, and ridges end only on borders, at non-manifold edges and in singular triangles.
+// is in one ridge, and ridges end only on borders, at non-manifold edges and in singular triangles;
+// inside patches of umbilics only at these.
 
 #include "AnalyticSurface.h"
 #include "FilterTestTools.h"
 #include "RidgeGraph.h"
 
 #include "vtkCellArray.h"
+#include "vtkDataArray.h"
 #include "vtkNew.h"
+#include "vtkPointData.h"
 #include "vtkRidgeExtraction.h"
 
 #include <gtest/gtest.h>
@@ -21,12 +24,30 @@ using namespace ridges::testing;
 namespace
 {
 
+/// The ends of ridges as they are where no umbilics are marked: in singular triangles.
+vtkSmartPointer<vtkPolyData> WithoutUmbilicIds(vtkPolyData* ridges)
+{
+  const auto copy = vtkSmartPointer<vtkPolyData>::New();
+  copy->DeepCopy(ridges);
+  copy->GetPointData()->GetArray("Umbilic")->Fill(-1.0);
+  return copy;
+}
+
 void ExpectCompleteRidges(vtkPolyData* mesh)
 {
   const Outputs outputs = RunFilters(mesh);
   ASSERT_GT(outputs.ridges->GetNumberOfLines(), 0);
   ExpectCompleteRidgeGraph(outputs.marked, outputs.ridges);
+  ExpectNoRidgesCross(outputs.marked, outputs.ridges);
   ExpectJoinedPolylines(outputs.ridges);
+
+  // Without patches everything is exact.
+  vtkNew<vtkRidgeExtraction> plain;
+  plain->SetInputData(outputs.marked);
+  plain->SetUmbilicJoiningToTriangles();
+  plain->Update();
+  ExpectCompleteRidgeGraph(outputs.fitted, WithoutUmbilicIds(plain->GetOutput()));
+  ExpectJoinedPolylines(plain->GetOutput());
 }
 
 /// On a mesh that carries Monge arrays already.
