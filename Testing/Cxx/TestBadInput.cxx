@@ -14,6 +14,7 @@
 #include "vtkPoints.h"
 #include "vtkRidgeExtraction.h"
 #include "vtkRidgeSharpnessFilter.h"
+#include "vtkRidgesAndUmbilics.h"
 #include "vtkRidgesArrayNames.h"
 #include "vtkUmbilicDetection.h"
 
@@ -32,8 +33,8 @@ class BadInput : public ::testing::Test
 {
 };
 
-using AllFilters =
-  ::testing::Types<vtkJetFitting, vtkUmbilicDetection, vtkRidgeExtraction, vtkRidgeSharpnessFilter>;
+using AllFilters = ::testing::Types<vtkJetFitting, vtkUmbilicDetection, vtkRidgeExtraction,
+  vtkRidgeSharpnessFilter, vtkRidgesAndUmbilics>;
 TYPED_TEST_SUITE(BadInput, AllFilters);
 
 template <typename Filter>

@@ -14,11 +14,18 @@ from vtkridges import (
     vtkJetFitting,
     vtkRidgeExampleSource,
     vtkRidgeExtraction,
+    vtkRidgesAndUmbilics,
     vtkRidgeSharpnessFilter,
     vtkUmbilicDetection,
 )
 
-FILTERS = [vtkJetFitting, vtkUmbilicDetection, vtkRidgeExtraction, vtkRidgeSharpnessFilter]
+FILTERS = [
+    vtkJetFitting,
+    vtkUmbilicDetection,
+    vtkRidgeExtraction,
+    vtkRidgeSharpnessFilter,
+    vtkRidgesAndUmbilics,
+]
 
 
 class Recorder:
