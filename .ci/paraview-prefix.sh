@@ -7,7 +7,6 @@
 # cannot be installed next to python3-vtk9. Where it is not installed, its files are unpacked into
 # DIRECTORY, with links to the installed ones around them; else the prefix is /usr.
 set -euo pipefail
-root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 
 if dpkg-query -W -f='${db:Status-Abbrev}' python3-paraview 2>/dev/null | grep -q '^ii'; then
   echo /usr
@@ -20,10 +19,12 @@ if [ ! -e "$prefix/complete" ]; then
   rm -rf "$prefix"
   cd "$1"
   rm -f python3-paraview_*.deb
-  if ! apt-get download -qq python3-paraview >&2; then
-    "$root/.ci/install.sh" --update >&2
-    apt-get download -qq python3-paraview >&2
+  if ! apt-cache show python3-paraview >/dev/null 2>&1; then
+    as_root=()
+    [ "$(id -u)" -eq 0 ] || as_root=(sudo)
+    "${as_root[@]}" apt-get update -qq >&2
   fi
+  apt-get download -qq python3-paraview >&2
   dpkg-deb -x python3-paraview_*.deb .
   rm python3-paraview_*.deb
   # Links lead CMake back to /usr, which is why its own files are copied.
