@@ -26,15 +26,17 @@ def read(path):
 
 
 class TestDisplay(unittest.TestCase):
-    def setUp(self):
-        self.view = simple.CreateRenderView(ViewSize=[400, 300])
-        self.whole = simple.RidgesAndUmbilics(Input=simple.RidgeExampleSource(Frequency=32))
-        self.displays = [
-            simple.Show(simple.OutputPort(self.whole, port), self.view) for port in range(3)
+    @classmethod
+    def setUpClass(cls):
+        cls.view = simple.CreateRenderView(ViewSize=[400, 300])
+        cls.whole = simple.RidgesAndUmbilics(Input=simple.RidgeExampleSource(Frequency=32))
+        cls.displays = [
+            simple.Show(simple.OutputPort(cls.whole, port), cls.view) for port in range(3)
         ]
 
-    def tearDown(self):
-        simple.Delete(self.view)
+    @classmethod
+    def tearDownClass(cls):
+        simple.Delete(cls.view)
         delete_all()
 
     def test_ridges_are_colored_by_type_and_umbilics_by_index(self):
@@ -50,6 +52,7 @@ class TestDisplay(unittest.TestCase):
         for proxy, port, array in ((ridges, 0, "RidgeType"), (umbilics, 1, "Index")):
             display = simple.Show(simple.OutputPort(proxy, port), self.view)
             self.assertEqual(display.ColorArrayName[1], array)
+            simple.Hide(simple.OutputPort(proxy, port), self.view)
 
     def test_lines_are_thick_and_points_are_balls(self):
         ridges, umbilics, mesh = self.displays
