@@ -77,6 +77,22 @@ class TestProxies(unittest.TestCase):
         self.assertGreater(ridges.GetNumberOfLines(), 0)
         self.assertEqual(len(messages.lines_of("vtkRidgesAndUmbilics")), 1, messages.text)
 
+    def test_progress_reaches_the_session(self):
+        session = simple.servermanager.ActiveConnection.Session
+        handler = session.GetProgressHandler()
+        handler.SetProgressInterval(0.01)  # the least: what comes sooner is left out
+        reported = []
+
+        def record(*_):
+            if "Ridges" in handler.GetLastProgressText():
+                reported.append(handler.GetLastProgress())
+
+        tag = handler.AddObserver("ProgressEvent", record)
+        simple.RidgesAndUmbilics(Input=example(63)).UpdatePipeline()
+        handler.RemoveObserver(tag)
+        self.assertGreater(len(reported), 1)
+        self.assertEqual(reported, sorted(reported))
+
     def test_documentation_comes_along(self):
         self.assertIn("umbilic", simple.RidgesAndUmbilics.__doc__)
         self.assertIn("polynomial is fitted", simple.JetFitting.__doc__)
