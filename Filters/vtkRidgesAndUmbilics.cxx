@@ -124,7 +124,9 @@ int vtkRidgesAndUmbilics::RequestData(
     }
     if (this->GetAbortExecute())
     {
-      stage->Modified(); // what it has left is not its output
+      // Taken back, as VTK after 9.1 does not do so itself; and what it has left is not its output.
+      stage->SetAbortExecute(0);
+      stage->Modified();
       return 1;
     }
   }

@@ -93,6 +93,27 @@ class TestProxies(unittest.TestCase):
         self.assertGreater(len(reported), 1)
         self.assertEqual(reported, sorted(reported))
 
+    def test_abort_leaves_nothing_and_the_next_run_is_whole(self):
+        whole = simple.RidgesAndUmbilics(Input=example(32))
+        everything = fetch(whole).GetNumberOfLines()
+        algorithm = whole.GetClientSideObject()
+        for where in (0.3, 0.6, 0.8):
+
+            def abort(caller, _event, where=where):
+                if caller.GetProgress() >= where:
+                    caller.SetAbortExecute(1)
+
+            tag = algorithm.AddObserver("ProgressEvent", abort)
+            algorithm.Modified()
+            whole.MinimumNumberOfPoints = 30
+            whole.UpdatePipeline()
+            algorithm.RemoveObserver(tag)
+            algorithm.SetAbortExecute(0)  # VTK after 9.1 leaves it to those who have set it
+            for port in range(3):
+                self.assertEqual(algorithm.GetOutputDataObject(port).GetNumberOfPoints(), 0)
+            whole.MinimumNumberOfPoints = 18
+            self.assertEqual(fetch(whole).GetNumberOfLines(), everything)
+
     def test_documentation_comes_along(self):
         self.assertIn("umbilic", simple.RidgesAndUmbilics.__doc__)
         self.assertIn("polynomial is fitted", simple.JetFitting.__doc__)
