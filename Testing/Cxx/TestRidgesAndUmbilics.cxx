@@ -30,23 +30,23 @@ struct Chain
 {
   explicit Chain(vtkPolyData* mesh)
   {
-    this->Jets->SetInputData(mesh);
-    this->Umbilics->SetInputConnection(this->Jets->GetOutputPort());
-    this->Ridges->SetInputConnection(this->Umbilics->GetOutputPort());
-    this->Selection->SetInputConnection(this->Ridges->GetOutputPort());
+    this->jets->SetInputData(mesh);
+    this->umbilics->SetInputConnection(this->jets->GetOutputPort());
+    this->ridges->SetInputConnection(this->umbilics->GetOutputPort());
+    this->selection->SetInputConnection(this->ridges->GetOutputPort());
   }
 
   std::vector<std::string> Bytes()
   {
-    this->Selection->Update();
-    return { BytesOf(this->Selection->GetOutput()), BytesOf(this->Umbilics->GetOutput(1)),
-      BytesOf(this->Umbilics->GetOutput(0)) };
+    this->selection->Update();
+    return { BytesOf(this->selection->GetOutput()), BytesOf(this->umbilics->GetOutput(1)),
+      BytesOf(this->umbilics->GetOutput(0)) };
   }
 
-  vtkNew<vtkJetFitting> Jets;
-  vtkNew<vtkUmbilicDetection> Umbilics;
-  vtkNew<vtkRidgeExtraction> Ridges;
-  vtkNew<vtkRidgeSharpnessFilter> Selection;
+  vtkNew<vtkJetFitting> jets;
+  vtkNew<vtkUmbilicDetection> umbilics;
+  vtkNew<vtkRidgeExtraction> ridges;
+  vtkNew<vtkRidgeSharpnessFilter> selection;
 };
 
 std::vector<std::string> BytesOfAll(vtkRidgesAndUmbilics* filter)
@@ -151,31 +151,31 @@ TEST(RidgesAndUmbilics, ForwardsEveryProperty)
       filter->Set##name(value);                                                                    \
       EXPECT_EQ(filter->Get##name(), value) << #name;                                              \
     })
-  EXPECT_FORWARDED(Jets, Neighborhood, vtkJetFitting::BY_RINGS);
-  EXPECT_FORWARDED(Jets, MinimumNumberOfPoints, 40);
-  EXPECT_FORWARDED(Jets, Weighting, vtkJetFitting::GAUSSIAN);
-  EXPECT_FORWARDED(Jets, StandardErrors, true);
-  EXPECT_FORWARDED(Umbilics, PatchSize, 4.0);
-  EXPECT_FORWARDED(Ridges, TypeRule, vtkRidgeExtraction::THIRD_ORDER);
-  EXPECT_FORWARDED(Ridges, CrossingRule, vtkRidgeExtraction::LINEAR);
-  EXPECT_FORWARDED(Ridges, ModelSize, 3.0);
-  EXPECT_FORWARDED(Ridges, UmbilicCutOff, 0.1);
-  EXPECT_FORWARDED(Selection, MinimumSharpness, 10.0);
-  EXPECT_FORWARDED(Selection, MinimumStrength, 0.5);
-  EXPECT_FORWARDED(Selection, MinimumLength, 0.2);
-  EXPECT_FORWARDED(Selection, KeepMaximumElliptic, false);
-  EXPECT_FORWARDED(Selection, KeepMaximumHyperbolic, false);
-  EXPECT_FORWARDED(Selection, KeepMinimumElliptic, false);
-  EXPECT_FORWARDED(Selection, KeepMinimumHyperbolic, false);
-  EXPECT_FORWARDED(Selection, CrestOnly, true);
+  EXPECT_FORWARDED(jets, Neighborhood, vtkJetFitting::BY_RINGS);
+  EXPECT_FORWARDED(jets, MinimumNumberOfPoints, 40);
+  EXPECT_FORWARDED(jets, Weighting, vtkJetFitting::GAUSSIAN);
+  EXPECT_FORWARDED(jets, StandardErrors, true);
+  EXPECT_FORWARDED(umbilics, PatchSize, 4.0);
+  EXPECT_FORWARDED(ridges, TypeRule, vtkRidgeExtraction::THIRD_ORDER);
+  EXPECT_FORWARDED(ridges, CrossingRule, vtkRidgeExtraction::LINEAR);
+  EXPECT_FORWARDED(ridges, ModelSize, 3.0);
+  EXPECT_FORWARDED(ridges, UmbilicCutOff, 0.1);
+  EXPECT_FORWARDED(selection, MinimumSharpness, 10.0);
+  EXPECT_FORWARDED(selection, MinimumStrength, 0.5);
+  EXPECT_FORWARDED(selection, MinimumLength, 0.2);
+  EXPECT_FORWARDED(selection, KeepMaximumElliptic, false);
+  EXPECT_FORWARDED(selection, KeepMaximumHyperbolic, false);
+  EXPECT_FORWARDED(selection, KeepMinimumElliptic, false);
+  EXPECT_FORWARDED(selection, KeepMinimumHyperbolic, false);
+  EXPECT_FORWARDED(selection, CrestOnly, true);
 #undef EXPECT_FORWARDED
 
   expect(
     "NumberOfRings",
     [](Chain& chain)
     {
-      chain.Jets->SetNeighborhoodToRings();
-      chain.Jets->SetNumberOfRings(4);
+      chain.jets->SetNeighborhoodToRings();
+      chain.jets->SetNumberOfRings(4);
     },
     [](vtkRidgesAndUmbilics* filter)
     {
@@ -186,8 +186,8 @@ TEST(RidgesAndUmbilics, ForwardsEveryProperty)
     "Radius",
     [](Chain& chain)
     {
-      chain.Jets->SetNeighborhoodToRadius();
-      chain.Jets->SetRadius(0.1);
+      chain.jets->SetNeighborhoodToRadius();
+      chain.jets->SetRadius(0.1);
     },
     [](vtkRidgesAndUmbilics* filter)
     {
@@ -206,11 +206,11 @@ TEST(RidgesAndUmbilics, HasTheDefaultsOfItsStages)
 {
   vtkNew<vtkRidgesAndUmbilics> filter;
   const Chain chain(EllipsoidData(2));
-  EXPECT_EQ(filter->GetNeighborhood(), chain.Jets->GetNeighborhood());
-  EXPECT_EQ(filter->GetMinimumNumberOfPoints(), chain.Jets->GetMinimumNumberOfPoints());
-  EXPECT_EQ(filter->GetPatchSize(), chain.Umbilics->GetPatchSize());
-  EXPECT_EQ(filter->GetUmbilicCutOff(), chain.Ridges->GetUmbilicCutOff());
-  EXPECT_EQ(filter->GetMinimumSharpness(), chain.Selection->GetMinimumSharpness());
+  EXPECT_EQ(filter->GetNeighborhood(), chain.jets->GetNeighborhood());
+  EXPECT_EQ(filter->GetMinimumNumberOfPoints(), chain.jets->GetMinimumNumberOfPoints());
+  EXPECT_EQ(filter->GetPatchSize(), chain.umbilics->GetPatchSize());
+  EXPECT_EQ(filter->GetUmbilicCutOff(), chain.ridges->GetUmbilicCutOff());
+  EXPECT_EQ(filter->GetMinimumSharpness(), chain.selection->GetMinimumSharpness());
 }
 
 TEST(RidgesAndUmbilics, TellsTheNumberOfRingsSelected)
