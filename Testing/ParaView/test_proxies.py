@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Every proxy of the plugin in ParaView: results, properties, messages."""
 
+import os
+import tempfile
 import unittest
 
 import numpy as np
@@ -14,6 +16,15 @@ def setUpModule():
 
 def example(frequency=16):
     return simple.RidgeExampleSource(Frequency=frequency)
+
+
+def write_obj(path, mesh):
+    with open(path, "w", encoding="ascii") as file:
+        for i in range(mesh.GetNumberOfPoints()):
+            file.write("v {} {} {}\n".format(*mesh.GetPoint(i)))
+        for i in range(mesh.GetNumberOfCells()):
+            ids = mesh.GetCell(i).GetPointIds()
+            file.write("f {} {} {}\n".format(*(ids.GetId(j) + 1 for j in range(3))))
 
 
 def chain(mesh):
@@ -113,6 +124,23 @@ class TestProxies(unittest.TestCase):
                 self.assertEqual(algorithm.GetOutputDataObject(port).GetNumberOfPoints(), 0)
             whole.MinimumNumberOfPoints = 18
             self.assertEqual(fetch(whole).GetNumberOfLines(), everything)
+
+    def test_meshes_that_paraview_reads(self):
+        mesh = example()
+        with tempfile.TemporaryDirectory() as folder:
+            for name in ("mesh.ply", "mesh.stl", "mesh.vtp", "mesh.obj"):
+                with self.subTest(name), Messages() as messages:
+                    path = os.path.join(folder, name)
+                    if name == "mesh.obj":
+                        write_obj(path, fetch(mesh))
+                    elif name == "mesh.vtp":
+                        simple.SaveData(path, mesh, DataMode="Binary")
+                    else:
+                        simple.SaveData(path, mesh)
+                    whole = simple.RidgesAndUmbilics(Input=simple.OpenDataFile(path))
+                    self.assertEqual(fetch(whole, 2).GetNumberOfPoints(), 2562)
+                    self.assertGreater(fetch(whole).GetNumberOfLines(), 10)
+                    self.assertEqual(messages.text, "")
 
     def test_documentation_comes_along(self):
         self.assertIn("umbilic", simple.RidgesAndUmbilics.__doc__)

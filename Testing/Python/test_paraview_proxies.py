@@ -2,6 +2,7 @@
 """What the ParaView plugin says of the classes, against the classes themselves."""
 
 import json
+import re
 import unittest
 from pathlib import Path
 from xml.etree import ElementTree
@@ -33,12 +34,13 @@ def values(element):
 
 
 def setters(cls):
-    """The own methods Set... of a class, one per property."""
-    return {
-        name
-        for name in dir(cls)
-        if name.startswith("Set") and "To" not in name[3:] and not hasattr(cls.__bases__[0], name)
-    }
+    """The own methods Set... of a class, one per property: SetSurfaceToBlend is SetSurface."""
+
+    def is_own(name):
+        choice = re.fullmatch(r"(Set\w+)To[A-Z]\w*", name)
+        return not (choice and hasattr(cls, choice[1])) and not hasattr(cls.__bases__[0], name)
+
+    return {name for name in dir(cls) if name.startswith("Set") and is_own(name)}
 
 
 class Setting:
