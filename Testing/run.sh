@@ -1,9 +1,24 @@
 #!/usr/bin/env bash
-# Builds everything and runs the tests.
+# Builds everything and runs the tests, those of the ParaView plugin as well unless it is left out.
 #
-#   Testing/run.sh [CTEST OPTION]...
+#   Testing/run.sh [--no-paraview] [CTEST OPTION]...
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 
+trees=(build)
+if [ "${1:-}" = --no-paraview ]; then
+  shift
+else
+  trees+=(build-paraview)
+fi
+
 "$root/.ci/prepare.sh" program python testing
-exec ctest --test-dir "$root/build" --output-on-failure "$@"
+if [ ${#trees[@]} -gt 1 ]; then
+  "$root/.ci/prepare-paraview.sh" testing
+fi
+
+status=0
+for tree in "${trees[@]}"; do
+  ctest --test-dir "$root/$tree" --output-on-failure "$@" || status=$?
+done
+exit $status

@@ -15,6 +15,7 @@
 #include "vtkPrincipalFoliation.h"
 #include "vtkRidgeExtraction.h"
 #include "vtkRidgeSharpnessFilter.h"
+#include "vtkRidgesAndUmbilics.h"
 #include "vtkRidgesArrayNames.h"
 #include "vtkUmbilicDetection.h"
 
@@ -34,7 +35,7 @@ class BadInput : public ::testing::Test
 };
 
 using AllFilters = ::testing::Types<vtkJetFitting, vtkUmbilicDetection, vtkRidgeExtraction,
-  vtkRidgeSharpnessFilter, vtkPrincipalFoliation>;
+  vtkRidgeSharpnessFilter, vtkPrincipalFoliation, vtkRidgesAndUmbilics>;
 TYPED_TEST_SUITE(BadInput, AllFilters);
 
 template <typename Filter>

@@ -15,6 +15,7 @@ from vtkridges import (
     vtkPrincipalFoliation,
     vtkRidgeExampleSource,
     vtkRidgeExtraction,
+    vtkRidgesAndUmbilics,
     vtkRidgeSharpnessFilter,
     vtkUmbilicDetection,
 )
@@ -25,6 +26,7 @@ FILTERS = [
     vtkRidgeExtraction,
     vtkRidgeSharpnessFilter,
     vtkPrincipalFoliation,
+    vtkRidgesAndUmbilics,
 ]
 
 

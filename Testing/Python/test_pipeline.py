@@ -12,6 +12,7 @@ from vtkridges import (
     vtkJetFitting,
     vtkRidgeExampleSource,
     vtkRidgeExtraction,
+    vtkRidgesAndUmbilics,
     vtkRidgeSharpnessFilter,
     vtkUmbilicDetection,
 )
@@ -51,6 +52,7 @@ class TestPackage(unittest.TestCase):
             "vtkRidgeExampleSource",
             "vtkRidgeExtraction",
             "vtkRidgeSharpnessFilter",
+            "vtkRidgesAndUmbilics",
             "vtkUmbilicDetection",
         }
         self.assertLessEqual(expected, set(vtkridges.__all__))
@@ -180,6 +182,34 @@ class TestBlend(unittest.TestCase):
         # Round-off of coordinates below 0.4.
         np.testing.assert_allclose(points[on_edge], expected[on_edge], rtol=0, atol=1e-15)
         self.assertEqual(np.count_nonzero(~on_edge), 8)
+
+    def test_one_filter_does_it_all(self):
+        whole = vtkRidgesAndUmbilics()
+        whole.SetInputConnection(self.chain.source.GetOutputPort())
+        whole.SetMinimumSharpness(10.0)
+        whole.Update()
+        by_hand = [
+            self.chain.sharpness.GetOutput(),
+            self.chain.umbilics.GetOutput(1),
+            self.chain.umbilics.GetOutput(0),
+        ]
+        for port, expected in enumerate(by_hand):
+            output = whole.GetOutput(port)
+            np.testing.assert_array_equal(
+                vtk_to_numpy(output.GetPoints().GetData()),
+                vtk_to_numpy(expected.GetPoints().GetData()),
+            )
+            for data, its in (
+                (output.GetPointData(), expected.GetPointData()),
+                (output.GetCellData(), expected.GetCellData()),
+            ):
+                self.assertEqual(data.GetNumberOfArrays(), its.GetNumberOfArrays())
+                for i in range(its.GetNumberOfArrays()):
+                    np.testing.assert_array_equal(
+                        vtk_to_numpy(data.GetArray(its.GetArrayName(i))),
+                        vtk_to_numpy(its.GetArray(i)),
+                    )
+        self.assertIn("Which ridges are kept", vtkRidgesAndUmbilics.SetMinimumSharpness.__doc__)
 
     def test_selection_keeps_what_is_sharp(self):
         sharp = cell_array(self.chain.sharpness.GetOutput(), "Sharpness")

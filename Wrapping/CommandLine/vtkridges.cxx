@@ -82,6 +82,14 @@ void CheckOutput(const Options& options)
   }
 }
 
+/// Encoded, as ParaView 5.11 with a recent Expat cannot read what is appended raw, the default.
+vtkNew<vtkXMLPolyDataWriter> MakeDataWriter()
+{
+  vtkNew<vtkXMLPolyDataWriter> writer;
+  writer->SetDataModeToBinary();
+  return writer;
+}
+
 template <typename Writer>
 void WriteBy(Writer* writer, vtkDataObject* data, const std::string& name)
 {
@@ -163,11 +171,11 @@ void Run(const Options& options, Filters& filters)
   stages.Run("write", "check the disk and the permissions", nullptr,
     [&]
     {
-      WriteBy(vtkNew<vtkXMLPolyDataWriter>().Get(), results.ridges, files.ridges);
-      WriteBy(vtkNew<vtkXMLPolyDataWriter>().Get(), results.umbilics, files.umbilics);
+      WriteBy(MakeDataWriter().Get(), results.ridges, files.ridges);
+      WriteBy(MakeDataWriter().Get(), results.umbilics, files.umbilics);
       if (options.writeMesh)
       {
-        WriteBy(vtkNew<vtkXMLPolyDataWriter>().Get(), results.mesh, files.mesh);
+        WriteBy(MakeDataWriter().Get(), results.mesh, files.mesh);
       }
       if (picture)
       {

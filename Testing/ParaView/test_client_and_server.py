@@ -1,0 +1,63 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The plugin in a pvserver, used by a client."""
+
+import os
+import socket
+import subprocess
+import unittest
+
+from paraview import simple
+from program import AgainstProgram
+from ridges_paraview import load_plugin
+
+
+def start_server():
+    """A pvserver that listens, and its port."""
+    with socket.socket() as probe:
+        probe.bind(("localhost", 0))
+        port = probe.getsockname()[1]
+    server = subprocess.Popen(
+        [os.environ["RIDGES_PVSERVER"], f"--server-port={port}"],
+        stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT,
+        text=True,
+    )
+    said = []
+    for line in server.stdout:
+        said.append(line)
+        if line.startswith("Accepting connection"):
+            return server, port
+    raise RuntimeError("pvserver has not started: " + "".join(said))
+
+
+class TestClientAndServer(AgainstProgram):
+    @classmethod
+    def setUpClass(cls):
+        cls.server, port = start_server()
+        simple.Connect("localhost", port)
+        load_plugin(remote=True)
+        load_plugin(remote=False)
+
+    @classmethod
+    def tearDownClass(cls):
+        simple.Disconnect()
+        cls.server.terminate()
+        cls.server.wait(timeout=30)
+        cls.server.stdout.close()
+
+    def test_the_server_is_another_process(self):
+        self.assertTrue(simple.GetActiveSource() is None)
+        self.assertTrue(simple.servermanager.ActiveConnection.IsRemote())
+
+    def test_the_same_as_the_program(self):
+        self.compare(
+            ["--minimum-number-of-points", "100", "--minimum-sharpness", "100"],
+            MinimumNumberOfPoints=100,
+            MinimumSharpness=100.0,
+        )
+
+
+del AgainstProgram  # not a test by itself
+
+if __name__ == "__main__":
+    unittest.main(verbosity=2)
