@@ -227,16 +227,14 @@ TEST(DirectionIndex, CheapTestMissesNothing)
   const MeshedSurface surface(EllipsoidMesh(20, 1.4, 1.0, 0.6));
   const FieldArrays exact = ExactField(surface.Triangles(), MakeEllipsoid(1.4, 1.0, 0.6));
   int passed = 0;
-  CheckMayTurn(
-    surface.Triangles(), { surface.Triangles(), exact.View(), nullptr }, passed);
+  CheckMayTurn(surface.Triangles(), { surface.Triangles(), exact.View(), nullptr }, passed);
   EXPECT_GT(passed, surface.Triangles().NumberOfTriangles() * 9 / 10); // Or it would spare nothing.
 }
 
 //------------------------------------------------------------------------------
 TEST(DirectionIndex, OfAFieldThatTurnsInThePlane)
 {
-  const MeshedSurface surface(
-    GraphPatch([](double, double) { return 0.0; }, 1.0, 12, 0.2, 8));
+  const MeshedSurface surface(GraphPatch([](double, double) { return 0.0; }, 1.0, 12, 0.2, 8));
   const TriangleMesh& mesh = surface.Triangles();
   for (const Id triangle : { 100, 143, 200 })
   {

@@ -60,8 +60,8 @@ std::vector<std::uint8_t> RandomWeak(const TriangleMesh& mesh, std::uint64_t see
 }
 
 // Opposite ones that are kept are nowhere joined through weak triangles, or side by side.
-void CheckNoWayIsLeft(const TriangleMesh& mesh, const Cancellation& result,
-  const std::vector<std::uint8_t>& isWeak)
+void CheckNoWayIsLeft(
+  const TriangleMesh& mesh, const Cancellation& result, const std::vector<std::uint8_t>& isWeak)
 {
   std::map<Id, int> kept;
   std::vector<bool> isOpen(isWeak.begin(), isWeak.end());
@@ -215,8 +215,8 @@ TEST(PairCancellation, WithoutWeakTrianglesOnlyNeighboursCancel)
     CancelPairs(mesh, { { 7, 1 }, { beside, -1 }, { 300, 1 }, { twoAway, -1 } }, weak);
   EXPECT_EQ(result.kept.size(), 2u);
   ASSERT_EQ(result.regions.size(), 1u);
-  EXPECT_EQ(std::set<Id>(result.regions[0].begin(), result.regions[0].end()),
-    (std::set<Id>{ 7, beside }));
+  EXPECT_EQ(
+    std::set<Id>(result.regions[0].begin(), result.regions[0].end()), (std::set<Id>{ 7, beside }));
 }
 
 //------------------------------------------------------------------------------

@@ -164,8 +164,8 @@ TEST(PatchContour, OfAnOpenMeshGoesAlongItsBorder)
 TEST(PatchContour, CutsAnAnnulusATorusAndASphereIntoATree)
 {
   const MeshedSurface sphere(Icosphere(8));
-  CheckCutIntoTree(sphere.Triangles(),
-    Shell(sphere.Triangles(), sphere.Triangles().Centroid(100), 0.5, 1.0));
+  CheckCutIntoTree(
+    sphere.Triangles(), Shell(sphere.Triangles(), sphere.Triangles().Centroid(100), 0.5, 1.0));
   CheckCutIntoTree(sphere.Triangles(), All(sphere.Triangles()));
   const MeshedSurface tiny(Icosphere(1));
   CheckCutIntoTree(tiny.Triangles(), All(tiny.Triangles()));
@@ -191,8 +191,7 @@ TEST(PatchContour, OfAnyConnectedTrianglesIsOneWalk)
         const std::vector<Id> triangles = RandomRegion(mesh, generator, size);
         const PatchContour contour(mesh, triangles);
         ASSERT_NO_FATAL_FAILURE(CheckWalk(mesh, contour, triangles));
-        const bool isTree =
-          NumberOfGluedEdges(mesh, contour, triangles) + 1 == triangles.size();
+        const bool isTree = NumberOfGluedEdges(mesh, contour, triangles) + 1 == triangles.size();
         const bool isDisk =
           EulerCharacteristicOf(mesh, triangles) == 1 && !ContourEdges(mesh, triangles).empty();
         // Disks stay whole, and whatever else has one contour, as a torus with a hole.

@@ -127,8 +127,8 @@ void CheckNoPiecesCross(const std::map<Id, std::vector<Piece>>& pieces)
 }
 
 // Of the triangles at an edge that which hangs on the patch by this edge alone, if it is one.
-std::vector<Id> EarsAmong(const TriangleMesh& mesh, const PatchContour& contour,
-  const std::vector<Id>& triangles, Id edge)
+std::vector<Id> EarsAmong(
+  const TriangleMesh& mesh, const PatchContour& contour, const std::vector<Id>& triangles, Id edge)
 {
   std::vector<Id> ears;
   for (const Id t : triangles)
@@ -147,8 +147,7 @@ std::vector<Id> EarsAmong(const TriangleMesh& mesh, const PatchContour& contour,
   return ears.size() == 1 ? ears : std::vector<Id>();
 }
 
-void CheckDrawing(
-  const RidgeCrossings& crossings, const RidgePatch& patch, const Drawing& drawing)
+void CheckDrawing(const RidgeCrossings& crossings, const RidgePatch& patch, const Drawing& drawing)
 {
   const TriangleMesh& mesh = crossings.Mesh();
   const PatchContour contour(mesh, patch.triangles);
@@ -270,8 +269,7 @@ struct Counts
 void CheckPatch(const RidgeCrossings& crossings, const RidgePatch& patch, Counts& counts)
 {
   const Drawing drawing = Draw(crossings, patch);
-  const bool drawn =
-    std::count(drawing.isReplaced.begin(), drawing.isReplaced.end(), 1) > 0;
+  const bool drawn = std::count(drawing.isReplaced.begin(), drawing.isReplaced.end(), 1) > 0;
   ++(drawn ? counts.drawn : counts.left);
   if (drawn)
   {

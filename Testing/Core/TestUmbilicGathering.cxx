@@ -115,8 +115,8 @@ std::size_t CheckGathering(const TriangleMesh& mesh, const MongeField& field,
   return umbilics.size();
 }
 
-int Crossings(const TriangleMesh& mesh, const MongeField& field, Color color,
-  const std::vector<Id>& triangles)
+int Crossings(
+  const TriangleMesh& mesh, const MongeField& field, Color color, const std::vector<Id>& triangles)
 {
   int count = 0;
   for (const Id e : ContourEdges(mesh, triangles))

@@ -28,8 +28,8 @@ std::vector<bool> FlagsOf(const TriangleMesh& mesh, const std::vector<Id>& trian
 //------------------------------------------------------------------------------
 // Flips the edge between triangles t and u, which run through it in opposite senses, if that makes
 // no edge twice.
-void FlipEdge(Mesh& mesh, std::set<std::pair<Id, Id>>& edges, std::size_t t, int side,
-  std::size_t u)
+void FlipEdge(
+  Mesh& mesh, std::set<std::pair<Id, Id>>& edges, std::size_t t, int side, std::size_t u)
 {
   const Id p = mesh.triangles[3 * t + side];
   const Id q = mesh.triangles[3 * t + (side + 1) % 3];
@@ -38,8 +38,7 @@ void FlipEdge(Mesh& mesh, std::set<std::pair<Id, Id>>& edges, std::size_t t, int
   bool shared = false;
   for (int i = 0; i < 3; ++i)
   {
-    shared = shared ||
-      (mesh.triangles[3 * u + i] == q && mesh.triangles[3 * u + (i + 1) % 3] == p);
+    shared = shared || (mesh.triangles[3 * u + i] == q && mesh.triangles[3 * u + (i + 1) % 3] == p);
     const Id corner = mesh.triangles[3 * u + i];
     b = corner != p && corner != q ? corner : b;
   }

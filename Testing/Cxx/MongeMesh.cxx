@@ -101,7 +101,8 @@ void MongeMesh::FetchRegions(const std::vector<vtkIdType>& cells)
     this->Regions.resize(std::max(this->Regions.size(), region + 1));
     this->RegionOf[t] = region;
     this->Regions[region].triangles.push_back(t);
-    if (inPatch >= 0.0 && Value(field, names::UmbilicTriangle, static_cast<vtkIdType>(region)) ==
+    if (inPatch >= 0.0 &&
+      Value(field, names::UmbilicTriangle, static_cast<vtkIdType>(region)) ==
         static_cast<double>(cells[t]))
     {
       this->Regions[region].umbilic = t;
@@ -152,8 +153,7 @@ std::vector<std::size_t> MongeMesh::TrianglesWith(const std::vector<EdgeKey>& ed
   {
     for (const std::size_t t : around->second)
     {
-      const auto has = [&](const EdgeKey& edge)
-      {
+      const auto has = [&](const EdgeKey& edge) {
         return edge == this->SideOf(t, 0) || edge == this->SideOf(t, 1) ||
           edge == this->SideOf(t, 2);
       };
