@@ -245,10 +245,10 @@ void AbsorbShortRuns(RidgeTrace& trace, double length)
     std::size_t last;
     double length;
   };
-  if (trace.closed)
+  for (;;)
   {
     // So that no run of a loop is cut at its start.
-    for (std::size_t i = 1; i < trace.types.size(); ++i)
+    for (std::size_t i = 1; trace.closed && i < trace.types.size(); ++i)
     {
       if (trace.types[i] != trace.types[i - 1])
       {
@@ -256,9 +256,6 @@ void AbsorbShortRuns(RidgeTrace& trace, double length)
         break;
       }
     }
-  }
-  for (;;)
-  {
     std::vector<Run> runs;
     for (std::size_t i = 0; i < trace.types.size(); ++i)
     {

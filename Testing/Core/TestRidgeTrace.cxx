@@ -171,6 +171,11 @@ TEST(RidgeTrace, AbsorbsShortRunsShortestFirst)
   RidgeTrace loop = TraceWith({ H, E, E, E, E, E, E, E, E, E, E, H }, 0.0, true);
   AbsorbShortRuns(loop, 1.2);
   EXPECT_EQ(loop.types, std::vector<RidgeType>(12, E));
+
+  // Once the run at its start is absorbed the loop starts within one.
+  RidgeTrace again = TraceWith({ E, H, H, E, E, E, E, E, H, H, H, H }, 0.0, true);
+  AbsorbShortRuns(again, 1.9);
+  EXPECT_EQ(std::count(again.types.begin(), again.types.end(), E), 5);
 }
 
 //------------------------------------------------------------------------------
