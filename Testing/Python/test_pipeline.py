@@ -80,6 +80,14 @@ class TestProperties(unittest.TestCase):
         self.assertEqual(jets.GetWeightingAsString(), "Gaussian")
         self.assertEqual(vtkJetFitting.FIT_INVALID, 8)
         self.assertEqual(vtkRidgeExtraction.MINIMUM_HYPERBOLIC, 4)
+        umbilics = vtkUmbilicDetection()
+        self.assertEqual(umbilics.GetMethod(), vtkUmbilicDetection.INDICES)
+        umbilics.SetMethodToMinima()
+        self.assertEqual(umbilics.GetMethod(), vtkUmbilicDetection.MINIMA)
+        extraction = vtkRidgeExtraction()
+        self.assertEqual(extraction.GetUmbilicJoining(), vtkRidgeExtraction.PATCHES)
+        extraction.SetUmbilicJoiningToTriangles()
+        self.assertEqual(extraction.GetUmbilicJoining(), vtkRidgeExtraction.TRIANGLES)
 
     def test_booleans(self):
         jets = vtkJetFitting()
@@ -181,7 +189,27 @@ class TestBlend(unittest.TestCase):
         points = vtk_to_numpy(ridges.GetPoints().GetData())
         # Round-off of coordinates below 0.4.
         np.testing.assert_allclose(points[on_edge], expected[on_edge], rtol=0, atol=1e-15)
-        self.assertEqual(np.count_nonzero(~on_edge), 8)
+        umbilic = point_array(ridges, "Umbilic")
+        turning = point_array(ridges, "TurningPoint")
+        self.assertEqual(sorted(umbilic[umbilic >= 0]), list(range(8)))
+        # Inside triangles there are umbilics and turning points only.
+        np.testing.assert_array_equal(~on_edge, (umbilic >= 0) | (~on_edge & (turning == 1)))
+        self.assertGreater(np.count_nonzero(~on_edge), 8)
+
+    def test_minima_and_indices_find_the_same_umbilics(self):
+        umbilics = vtkUmbilicDetection()
+        umbilics.SetInputConnection(self.chain.jets.GetOutputPort())
+        umbilics.SetMethodToMinima()
+        umbilics.Update()
+        minima = vtk_to_numpy(umbilics.GetOutput(1).GetPoints().GetData())
+        indices = vtk_to_numpy(self.chain.umbilics.GetOutput(1).GetPoints().GetData())
+        self.assertEqual(sorted(map(tuple, minima)), sorted(map(tuple, indices)))
+
+    def test_patterns(self):
+        umbilics = self.chain.umbilics.GetOutput(1)
+        star = point_array(umbilics, "Pattern") == 3
+        np.testing.assert_array_equal(star, point_array(umbilics, "Index") < 0)
+        np.testing.assert_array_equal(point_array(umbilics, "TouchesBorder"), 0)
 
     def test_one_filter_does_it_all(self):
         whole = vtkRidgesAndUmbilics()
