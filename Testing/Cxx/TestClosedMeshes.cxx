@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Every closed manifold mesh that CGAL is distributed with: the indices of the umbilics sum to the
+// Euler characteristic, and every ridge is a loop or ends at umbilics.
+
+#include "FilterTestTools.h"
+#include "OffReader.h"
+#include "WholeRidges.h"
+
+#include "vtkCellArray.h"
+#include "vtkFieldData.h"
+#include "vtkIdList.h"
+#include "vtkNew.h"
+#include "vtkRidgesArrayNames.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <exception>
+#include <filesystem>
+#include <string>
+#include <system_error>
+#include <unordered_map>
+#include <vector>
+
+using namespace ridges::testing;
+namespace names = vtkRidgesArrayNames;
+
+namespace
+{
+
+/// Whether each edge is in two polygons, in opposite senses, and the polygons around each point
+/// are one fan.
+bool IsClosedManifold(vtkPolyData* mesh)
+{
+  const vtkIdType numberOfPoints = mesh->GetNumberOfPoints();
+  // From an edge to the one before it around the point that both lead to.
+  std::unordered_map<vtkIdType, vtkIdType> before;
+  std::vector<std::size_t> degree(numberOfPoints, 0);
+  const auto key = [numberOfPoints](vtkIdType p, vtkIdType q) { return p * numberOfPoints + q; };
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType cell = 0; cell < mesh->GetNumberOfPolys(); ++cell)
+  {
+    mesh->GetPolys()->GetCellAtId(cell, ids);
+    const vtkIdType count = ids->GetNumberOfIds();
+    for (vtkIdType i = 0; i < count; ++i)
+    {
+      const vtkIdType p = ids->GetId(i);
+      const vtkIdType q = ids->GetId((i + 1) % count);
+      if (p == q || !before.insert({ key(q, ids->GetId((i + 2) % count)), p }).second)
+      {
+        return false;
+      }
+      ++degree[q];
+    }
+  }
+  for (vtkIdType cell = 0; cell < mesh->GetNumberOfPolys(); ++cell)
+  {
+    mesh->GetPolys()->GetCellAtId(cell, ids);
+    const vtkIdType count = ids->GetNumberOfIds();
+    for (vtkIdType i = 0; i < count; ++i)
+    {
+      const vtkIdType p = ids->GetId(i);
+      const vtkIdType start = ids->GetId((i + 1) % count);
+      vtkIdType at = start;
+      std::size_t steps = 0;
+      do
+      {
+        const auto next = before.find(key(p, at));
+        if (next == before.end())
+        {
+          return false; // An edge without the opposite one.
+        }
+        at = next->second;
+        ++steps;
+      } while (at != start && steps <= degree[p]);
+      if (steps != degree[p])
+      {
+        return false;
+      }
+    }
+  }
+  return mesh->GetNumberOfPolys() > 0;
+}
+
+std::vector<std::filesystem::path> MeshFiles()
+{
+  std::vector<std::filesystem::path> files;
+  std::error_code none;
+  for (const auto& entry : std::filesystem::directory_iterator(RIDGES_MESH_DIRECTORY, none))
+  {
+    if (entry.path().extension() == ".off")
+    {
+      files.push_back(entry.path());
+    }
+  }
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+vtkSmartPointer<vtkPolyData> ReadOrNothing(const std::filesystem::path& file)
+{
+  try
+  {
+    return program::ReadOff(file.string());
+  }
+  catch (const std::exception&)
+  {
+    return vtkSmartPointer<vtkPolyData>::New();
+  }
+}
+
+struct Found
+{
+  int checked = 0;
+  int opened = 0; ///< By triangulation, which leaves out polygons of mpi and double-torus-example.
+};
+
+Found CheckClosedMeshes(vtkIdType fromPoints, vtkIdType toPoints)
+{
+  Found found;
+  for (const auto& file : MeshFiles())
+  {
+    const auto mesh = ReadOrNothing(file);
+    const vtkIdType size = mesh->GetNumberOfPoints();
+    if (size < fromPoints || size >= toPoints || !IsClosedManifold(mesh))
+    {
+      continue;
+    }
+    SCOPED_TRACE(file.filename().string());
+    const Outputs outputs = RunFilters(mesh);
+    EXPECT_EQ(outputs.errors, "");
+    if (!IsClosedManifold(outputs.marked))
+    {
+      ++found.opened;
+      continue;
+    }
+    vtkFieldData* field = outputs.marked->GetFieldData();
+    EXPECT_EQ(Value(field, names::UmbilicIndexSum, 0), Value(field, names::EulerCharacteristic, 0));
+    EXPECT_EQ(CountLooseRidges(outputs.ridges, WholeRidges(outputs.ridges)), 0);
+    ++found.checked;
+  }
+  return found;
+}
+
+constexpr vtkIdType Large = 5000;
+
+} // namespace
+
+TEST(ClosedMeshes, SmallOnesHaveTheIndexSumOfTheirTopologyAndNoLooseRidges)
+{
+  if (MeshFiles().empty())
+  {
+    GTEST_SKIP() << "no meshes in " << RIDGES_MESH_DIRECTORY;
+  }
+  const Found found = CheckClosedMeshes(1, Large);
+  EXPECT_EQ(found.checked + found.opened, 70);
+  EXPECT_LE(found.opened, 2);
+}
+
+TEST(ClosedMeshes, LargeOnesHaveTheIndexSumOfTheirTopologyAndNoLooseRidges)
+{
+  if (MeshFiles().empty())
+  {
+    GTEST_SKIP() << "no meshes in " << RIDGES_MESH_DIRECTORY;
+  }
+  const Found found = CheckClosedMeshes(Large, VTK_ID_MAX);
+  EXPECT_EQ(found.checked, 14);
+  EXPECT_EQ(found.opened, 0);
+}
