@@ -9,8 +9,9 @@
  *
  * Method: RR-5294, sections 5 and 6. The principal directions at the ends of each edge are brought
  * to an acute angle; where b0 (blue) or b3 (red) then changes its sign a ridge crosses the edge.
- * Crossings are joined inside triangles. In a singular triangle, where
- * the acute rule is not coherent and an umbilic lies, one or three of them are joined to it.
+ * Crossings are joined inside triangles. In a singular triangle, where the acute rule is not
+ * coherent and an umbilic lies, one or three of them are joined to it; in the patches and regions
+ * that vtkUmbilicDetection marks crossings of the contour are joined instead, where that differs.
  *
  * Input: a mesh with the point arrays MaximumCurvature, MinimumCurvature, MaximumDirection,
  * MinimumDirection and ThirdOrder of vtkJetFitting, and, needed by the fourth-order type rule only,
@@ -24,7 +25,7 @@
  * | array            | on     | meaning                                                  | unit  |
  * |------------------|--------|----------------------------------------------------------|-------|
  * | RidgeType        | cells  | 1 max elliptic (blue), 2 max hyperbolic (green),         |       |
- * |                  |        | 3 min elliptic (red), 4 min hyperbolic (yellow)          |       |
+ * |                  |        | 3 min elliptic (red), 4 min hyperbolic (yellow), 0 none  |       |
  * | Crest            | cells  | 1: elliptic, and the ridge's curvature is the larger of  |       |
  * |                  |        | the two in absolute value (section 7.2)                  |       |
  * | Sharpness        | cells  | integral of abs(k'') times the squared model size        |       |
@@ -37,14 +38,20 @@
  * |                  |        | umbilic, where it is infinite                            |       |
  * | Umbilic          | points | id of the umbilic that the point is, or -1               |       |
  * | TurningPoint     | points | 1 where the type changes between elliptic and hyperbolic |       |
- * | EdgePoint0/1     | points | ends of the mesh edge crossed, smaller id first; -1 at   |       |
- * |                  |        | the umbilic of a singular triangle, which is on no edge  |       |
+ * | EdgePoint0/1     | points | ends of the mesh edge crossed, smaller id first; -1 on   |       |
+ * |                  |        | no edge: at umbilics and turning points inside triangles |       |
  * | EdgeParameter    | points | fraction of the way from EdgePoint0 to EdgePoint1        |       |
  *
  * Sharpness and SecondDerivative are left out where the fourth order is missing.
  *
- * Guarantees, on any mesh and with any values: every crossing is in exactly one ridge; ridges of
- * one colour end only in singular triangles, on borders or at non-manifold edges.
+ * Output port 1, if FindPurplePoints is on: a vertex per purple point, with the point arrays
+ * MaximumRidgeId and MinimumRidgeId, the RidgeId of the two ridges that cross there, and Triangle,
+ * the cell of the mesh.
+ *
+ * Guarantees, on any mesh and with any values: ridges of one colour end only at umbilics and other
+ * singular triangles, on borders, at non-manifold edges and at triangles left out. With
+ * UmbilicJoining TRIANGLES and LoopSignificance 0 every crossing is in exactly one ridge. Order,
+ * starts and senses of the ridges depend on positions only, not on the numbering.
  *
  * @warning
  * The sharpness of a hyperbolic ridge that ends at an umbilic is infinite, so that the arc within

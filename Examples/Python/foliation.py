@@ -10,10 +10,8 @@ import sys
 
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkFiltersCore import vtkStaticCleanPolyData, vtkTubeFilter
-from vtkmodules.vtkFiltersSources import vtkSphereSource
+from vtkmodules.vtkFiltersCore import vtkStaticCleanPolyData
 from vtkmodules.vtkIOGeometry import vtkOBJReader, vtkSTLReader
-from vtkmodules.vtkIOImage import vtkPNGWriter
 from vtkmodules.vtkIOPLY import vtkPLYReader
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLPolyDataWriter
 
@@ -25,9 +23,6 @@ READERS = {
     "stl": vtkSTLReader,
     "vtp": vtkXMLPolyDataReader,
 }
-# Of ridges, by their type, and of curvature lines.
-RIDGES = [(0.35, 0.35, 0.35), (0.0, 0.15, 0.75), (0, 0.55, 0.15), (0.75, 0, 0), (0.95, 0.62, 0)]
-LINES = {"blue": (0.5, 0.6, 0.95), "red": (0.95, 0.55, 0.5)}
 
 parser = argparse.ArgumentParser(description=__doc__.splitlines()[0].split(":")[0])
 parser.add_argument("mesh", nargs="?", help=".ply, .obj, .stl or .vtp; else the paper's ellipsoid")
@@ -81,19 +76,9 @@ if not arguments.picture:
 
 # ------------------------------------------------------------------------------------ the picture
 
-import vtkmodules.vtkRenderingOpenGL2  # noqa: E402, F401, what draws
-from vtkmodules.vtkRenderingCore import (  # noqa: E402
-    vtkActor,
-    vtkGlyph3DMapper,
-    vtkLightKit,
-    vtkPolyDataMapper,
-    vtkRenderer,
-    vtkRenderWindow,
-    vtkWindowToImageFilter,
-)
-from vtkmodules.vtkCommonCore import vtkLookupTable  # noqa: E402
+import drawing  # noqa: E402
 
-WIDTH, HEIGHT = 1000, 380
+WIDTH, HEIGHT = 500, 330
 back = np.array([float(x) for x in arguments.view.split(",")])
 up = np.array([float(x) for x in arguments.up.split(",")])
 right = np.cross(up, back)
@@ -101,83 +86,15 @@ axes = np.array([axis / np.linalg.norm(axis) for axis in (right, np.cross(back, 
 points = vtk_to_numpy(umbilics.GetOutput().GetPoints().GetData()) @ axes.T
 low, high = points.min(axis=0), points.max(axis=0)
 center, size = (low + high) / 2 @ axes, np.linalg.norm(high - low) / 1.5
-scale = 0.53 * max(high[1] - low[1], (high[0] - low[0]) * HEIGHT / (WIDTH / 2))
+height = 1.06 * max(high[1] - low[1], (high[0] - low[0]) * HEIGHT / WIDTH)
 
-
-def add(renderer, mapper, color=None):
-    actor = vtkActor()
-    actor.SetMapper(mapper)
-    if color:
-        mapper.ScalarVisibilityOff()
-        actor.GetProperty().SetColor(color)
-        actor.GetProperty().SetAmbient(0.3)
-        actor.GetProperty().SetDiffuse(0.75)
-    renderer.AddActor(actor)
-
-
-def tubes(port, radius):
-    tube = vtkTubeFilter()
-    tube.SetInputConnection(port)
-    tube.SetRadius(radius * size)
-    tube.SetNumberOfSides(8)
-    mapper = vtkPolyDataMapper()
-    mapper.SetInputConnection(tube.GetOutputPort())
-    return mapper
-
-
-def draw(renderer, foliation, color):
-    surface = vtkPolyDataMapper()
-    surface.SetInputConnection(umbilics.GetOutputPort())
-    add(renderer, surface, (0.95, 0.95, 0.95))
-
-    add(renderer, tubes(foliation.GetOutputPort(), 0.0016), color)
-
-    table = vtkLookupTable()
-    table.SetNumberOfTableValues(len(RIDGES))
-    table.SetTableRange(0, len(RIDGES) - 1)
-    for kind, rgb in enumerate(RIDGES):
-        table.SetTableValue(kind, *rgb)
-    types = tubes(salient.GetOutputPort(), 0.0032)
-    types.SetScalarModeToUseCellFieldData()
-    types.SelectColorArray("RidgeType")
-    types.SetLookupTable(table)
-    types.UseLookupTableScalarRangeOn()
-    add(renderer, types)
-
-    ball = vtkSphereSource()
-    ball.SetRadius(0.008 * size)
-    ball.SetPhiResolution(24)
-    ball.SetThetaResolution(24)
-    dots = vtkGlyph3DMapper()
-    dots.SetInputConnection(umbilics.GetOutputPort(1))
-    dots.SetSourceConnection(ball.GetOutputPort())
-    dots.ScalingOff()
-    add(renderer, dots, (0.0, 0.0, 0.0))
-
-
-window = vtkRenderWindow()
-window.SetOffScreenRendering(True)
-window.SetMultiSamples(8)
-window.SetSize(WIDTH, HEIGHT)
-for i, (name, foliation) in enumerate(foliations.items()):
-    renderer = vtkRenderer()
-    renderer.SetBackground(1.0, 1.0, 1.0)
-    renderer.SetViewport(i / 2, 0.0, (i + 1) / 2, 1.0)
-    draw(renderer, foliation, LINES[name])
-    vtkLightKit().AddLightsToRenderer(renderer)
-    camera = renderer.GetActiveCamera()
-    camera.ParallelProjectionOn()
-    camera.SetFocalPoint(center)
-    camera.SetPosition(center + axes[2] * size)
-    camera.SetViewUp(axes[1])
-    renderer.ResetCamera()
-    camera.SetParallelScale(scale)
-    window.AddRenderer(renderer)
-window.Render()
-
-image = vtkWindowToImageFilter()
-image.SetInput(window)
-writer = vtkPNGWriter()
-writer.SetFileName(arguments.picture)
-writer.SetInputConnection(image.GetOutputPort())
-writer.Write()
+panels = []
+for foliation in foliations.values():
+    panel = drawing.Panel()
+    panel.surface(umbilics.GetOutputPort())
+    panel.lines(foliation.GetOutputPort(), 0.0016 * size)
+    panel.ridges(salient.GetOutputPort(), 0.0032 * size)
+    panel.balls(umbilics.GetOutputPort(1), 0.008 * size, (0.0, 0.0, 0.0))
+    panel.look(center, back, up, height)
+    panels.append(panel)
+drawing.write(arguments.picture, panels, WIDTH, HEIGHT)
