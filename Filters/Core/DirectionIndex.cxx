@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DirectionIndex.h"
 
+#include "PositionOrder.h"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -171,6 +173,9 @@ DirectionIndex::Fan DirectionIndex::FanAt(Id triangle, int corner) const
   const Eigen::Vector3d d2 = this->Field_.D2(p);
   const double side = d1.cross(d2).dot(normal) >= 0.0 ? 1.0 : -1.0;
   std::complex<double> sum = 0.0;
+  // Where they agree nowhere, as in a fold, one edge decides, wherever the fan starts.
+  std::complex<double> ofFirst = 1.0;
+  Id firstEnd = -1;
   double alpha = -before;
   const auto add = [&](Id end)
   {
@@ -178,8 +183,18 @@ DirectionIndex::Fan DirectionIndex::FanAt(Id triangle, int corner) const
     const Eigen::Vector3d edge = this->Mesh_.Point(end) - this->Mesh_.Point(p);
     const std::complex<double> projected(edge.dot(d1), side * edge.dot(d2));
     const double length = std::abs(projected);
-    sum += length > 0.0 ? std::polar(1.0, fan.stretch * alpha) * std::conj(projected) / length
-                        : std::complex<double>(0.0);
+    if (!(length > 0.0))
+    {
+      return;
+    }
+    const std::complex<double> turn =
+      std::polar(1.0, fan.stretch * alpha) * std::conj(projected) / length;
+    sum += turn;
+    if (firstEnd < 0 || ComesBefore(this->Mesh_.Point(end), this->Mesh_.Point(firstEnd)))
+    {
+      firstEnd = end;
+      ofFirst = turn;
+    }
   };
   t = first;
   c = cornerOfFirst;
@@ -199,7 +214,8 @@ DirectionIndex::Fan DirectionIndex::FanAt(Id triangle, int corner) const
       add(corners[(cornerOfLast + 2) % 3]);
     }
   }
-  fan.angle = std::arg(sum);
+  constexpr double agreement = 1e-3;
+  fan.angle = std::arg(std::abs(sum) > agreement ? sum : ofFirst);
   return fan;
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "IndexCharge.h"
 
+#include "PositionOrder.h"
+
 #include <algorithm>
 #include <cstdlib>
 #include <iterator>
@@ -13,11 +15,7 @@ void SortByPosition(const TriangleMesh& mesh, std::vector<IndexCharge>& charges)
 {
   std::sort(charges.begin(), charges.end(),
     [&mesh](const IndexCharge& a, const IndexCharge& b)
-    {
-      const Eigen::Vector3d x = mesh.Centroid(a.triangle);
-      const Eigen::Vector3d y = mesh.Centroid(b.triangle);
-      return std::lexicographical_compare(x.data(), x.data() + 3, y.data(), y.data() + 3);
-    });
+    { return ComesBefore(mesh, a.triangle, b.triangle); });
 }
 
 void SpreadLargeCharges(const TriangleMesh& mesh, std::vector<IndexCharge>& charges)
@@ -48,13 +46,12 @@ void SpreadLargeCharges(const TriangleMesh& mesh, std::vector<IndexCharge>& char
         charges[found->second].halfTurns = sign;
         large.halfTurns -= 2 * sign;
       }
-      for (int side = 0; side < 3 && reached.size() < reach; ++side)
+      for (const NeighborAcross& next : NeighborsByPosition(mesh, reached[i]))
       {
-        const Id next = mesh.Neighbor(reached[i], side);
-        if (next >= 0 && !isReached[next])
+        if (reached.size() < reach && !isReached[next.triangle])
         {
-          isReached[next] = true;
-          reached.push_back(next);
+          isReached[next.triangle] = true;
+          reached.push_back(next.triangle);
         }
       }
     }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PairCancellation.h"
 
+#include "PositionOrder.h"
+
 #include <algorithm>
 #include <cstdlib>
 #include <limits>
@@ -22,12 +24,6 @@ struct Meeting
   Id charge1;
   Id triangle0;
   Id triangle1;
-
-  bool operator<(const Meeting& other) const
-  {
-    return std::tie(length, charge0, charge1) <
-      std::tie(other.length, other.charge0, other.charge1);
-  }
 };
 
 /// Shortest ways from all umbilics at once over weak triangles, each triangle for the nearest.
@@ -74,12 +70,11 @@ private:
     Id charge;
     Id triangle;
     Id previous;
-
-    bool operator<(const Arrival& other) const
-    {
-      return std::tie(distance, charge) > std::tie(other.distance, other.charge);
-    }
   };
+
+  /// What comes first: by length, and where that is equal, by position.
+  bool IsLater(const Arrival& a, const Arrival& b) const;
+  bool IsBefore(const Meeting& a, const Meeting& b) const;
 
   void AddWay(Id from, Id region);
 
@@ -92,6 +87,35 @@ private:
   std::vector<std::vector<Id>> Regions_;
 };
 
+bool Ways::IsLater(const Arrival& a, const Arrival& b) const
+{
+  const auto x = std::tie(a.distance, a.charge);
+  const auto y = std::tie(b.distance, b.charge);
+  if (x != y)
+  {
+    return x > y;
+  }
+  if (a.triangle != b.triangle)
+  {
+    return ComesBefore(this->Mesh_, b.triangle, a.triangle);
+  }
+  return a.previous != b.previous && a.previous != None && b.previous != None &&
+    ComesBefore(this->Mesh_, b.previous, a.previous);
+}
+
+bool Ways::IsBefore(const Meeting& a, const Meeting& b) const
+{
+  const auto x = std::tie(a.length, a.charge0, a.charge1);
+  const auto y = std::tie(b.length, b.charge0, b.charge1);
+  if (x != y)
+  {
+    return x < y;
+  }
+  return a.triangle0 != b.triangle0
+    ? ComesBefore(this->Mesh_, a.triangle0, b.triangle0)
+    : a.triangle1 != b.triangle1 && ComesBefore(this->Mesh_, a.triangle1, b.triangle1);
+}
+
 std::vector<Meeting> Ways::Meet()
 {
   for (const Id t : this->Reached_)
@@ -100,7 +124,8 @@ std::vector<Meeting> Ways::Meet()
   }
   this->Reached_.clear();
 
-  std::priority_queue<Arrival> arrivals;
+  const auto isLater = [this](const Arrival& a, const Arrival& b) { return this->IsLater(a, b); };
+  std::priority_queue<Arrival, std::vector<Arrival>, decltype(isLater)> arrivals(isLater);
   for (Id i = 0; i < static_cast<Id>(this->Charges_.size()); ++i)
   {
     if (this->IsActive(i))
@@ -143,7 +168,8 @@ std::vector<Meeting> Ways::Meet()
       }
     }
   }
-  std::sort(meetings.begin(), meetings.end());
+  std::sort(meetings.begin(), meetings.end(),
+    [this](const Meeting& a, const Meeting& b) { return this->IsBefore(a, b); });
   return meetings;
 }
 

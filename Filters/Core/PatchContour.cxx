@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PatchContour.h"
 
+#include "PositionOrder.h"
+
+#include <algorithm>
+
 namespace ridges
 {
 
@@ -14,7 +18,8 @@ PatchContour::PatchContour(const TriangleMesh& mesh, const std::vector<Id>& tria
   this->GlueAll(triangles);
   if (!this->Walk())
   {
-    this->GlueTree(triangles.front());
+    const auto comesFirst = [&mesh](Id a, Id b) { return ComesBefore(mesh, a, b); };
+    this->GlueTree(*std::min_element(triangles.begin(), triangles.end(), comesFirst));
     this->Walk();
   }
 }
@@ -54,15 +59,13 @@ void PatchContour::GlueTree(Id root)
   std::unordered_map<Id, unsigned> tree{ { root, 0U } };
   for (std::size_t i = 0; i < reached.size(); ++i)
   {
-    for (int side = 0; side < 3; ++side)
+    for (const NeighborAcross& next : NeighborsByPosition(this->Mesh_, reached[i]))
     {
-      const Id neighbor = this->Mesh_.Neighbor(reached[i], side);
-      if (neighbor >= 0 && this->Contains(neighbor) && tree.count(neighbor) == 0)
+      if (this->Contains(next.triangle) && tree.count(next.triangle) == 0)
       {
-        const int sideOfNeighbor = this->SideOf(neighbor, this->Mesh_.EdgeOf(reached[i], side));
-        tree[reached[i]] |= 1U << side;
-        tree[neighbor] = 1U << sideOfNeighbor;
-        reached.push_back(neighbor);
+        tree[reached[i]] |= 1U << this->SideOf(reached[i], next.edge);
+        tree[next.triangle] = 1U << this->SideOf(next.triangle, next.edge);
+        reached.push_back(next.triangle);
       }
     }
   }
@@ -86,15 +89,26 @@ bool PatchContour::Walk()
 {
   this->Sides_.clear();
   const std::size_t count = this->NumberOfSides();
-  // From a place that does not depend on the order in which a hash table stores.
+  // From a place that depends neither on a hash table nor on the numbering.
   Id first = -1;
   int firstSide = 0;
+  Eigen::Vector3d least;
   for (const auto& glued : this->Glued_)
   {
-    if (glued.second != 7U && (first < 0 || glued.first < first))
+    for (int side = 0; side < 3; ++side)
     {
-      first = glued.first;
-      firstSide = (glued.second & 1U) == 0 ? 0 : ((glued.second & 2U) == 0 ? 1 : 2);
+      const Triangle& corners = this->Mesh_.Corners(glued.first);
+      const Eigen::Vector3d middle =
+        this->Mesh_.Point(corners[side]) + this->Mesh_.Point(corners[(side + 1) % 3]);
+      // An edge that is cut has two triangles.
+      const bool comesFirst = first < 0 || ComesBefore(middle, least) ||
+        (middle == least && ComesBefore(this->Mesh_, glued.first, first));
+      if ((glued.second >> side & 1U) == 0 && comesFirst)
+      {
+        first = glued.first;
+        firstSide = side;
+        least = middle;
+      }
     }
   }
   if (first < 0)

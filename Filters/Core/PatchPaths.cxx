@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PatchPaths.h"
 
+#include "PositionOrder.h"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <array>
+#include <utility>
 
 namespace ridges
 {
@@ -83,37 +87,67 @@ bool PatchPaths::Straight(std::size_t side, const Eigen::Vector3d& from, Id targ
   return true;
 }
 
-std::vector<EdgeCrossing> PatchPaths::OverFewest(std::size_t side, Id target, double fraction) const
+// The ways from triangle to triangle are those of a tree around the target; where several run over
+// one edge they keep the order in which they come in, so that they do not cross.
+std::vector<std::vector<EdgeCrossing>> PatchPaths::OverFewest(
+  const std::vector<std::size_t>& sides, Id target) const
 {
-  // From the target, so that the ways of different sides run together once they meet.
-  std::vector<Id> reached{ target };
-  std::unordered_map<Id, std::pair<Id, Id>> towards{ { target, { -1, -1 } } };
-  const Id start = this->Contour_.Sides()[side].triangle;
-  for (std::size_t i = 0; i < reached.size() && towards.count(start) == 0; ++i)
+  struct Node
   {
-    for (int j = 0; j < 3; ++j)
+    Id edge;                                       ///< Towards the target.
+    std::array<std::vector<std::size_t>, 3> paths; ///< By the side through which they come in.
+  };
+  std::vector<Id> reached{ target };
+  std::unordered_map<Id, Node> nodes;
+  nodes[target].edge = -1;
+  for (std::size_t i = 0; i < reached.size(); ++i)
+  {
+    for (const NeighborAcross& next : NeighborsByPosition(this->Mesh_, reached[i]))
     {
-      const Id edge = this->Mesh_.EdgeOf(reached[i], j);
-      const Id next = this->Contour_.Across(reached[i], edge);
-      if (next >= 0 && towards.insert({ next, { reached[i], edge } }).second)
+      if (this->Contour_.Across(reached[i], next.edge) >= 0 && nodes.count(next.triangle) == 0)
       {
-        reached.push_back(next);
+        nodes[next.triangle].edge = next.edge;
+        reached.push_back(next.triangle);
       }
     }
   }
-  std::vector<EdgeCrossing> path;
-  for (Id t = start; t != target;)
+  const auto sideOf = [this](Id triangle, Id edge)
   {
-    const auto& way = towards.at(t);
-    // In the order of the contour: the side of an edge that it leaves to the right comes first.
-    const Triangle& corners = this->Mesh_.Corners(t);
-    const Edge& edge = this->Mesh_.EdgeAt(way.second);
-    const int corner = corners[0] == edge.v0 ? 0 : (corners[1] == edge.v0 ? 1 : 2);
-    const bool forward = corners[(corner + 1) % 3] == edge.v1;
-    path.push_back({ way.second, forward ? 1.0 - fraction : fraction });
-    t = way.first;
+    int side = 0;
+    while (this->Mesh_.EdgeOf(triangle, side) != edge)
+    {
+      ++side;
+    }
+    return side;
+  };
+
+  std::vector<std::vector<EdgeCrossing>> paths(sides.size());
+  for (std::size_t i = 0; i < sides.size(); ++i)
+  {
+    const PatchContour::Side& start = this->Contour_.Sides()[sides[i]];
+    nodes[start.triangle].paths[sideOf(start.triangle, start.edge)].push_back(i);
   }
-  return path;
+  // The farthest first: all that comes in is known when a triangle's turn has come.
+  for (std::size_t r = reached.size(); r-- > 1;)
+  {
+    const Id triangle = reached[r];
+    Node& node = nodes[triangle];
+    const int side = sideOf(triangle, node.edge);
+    // Counter-clockwise from the end of the side: first what comes through the next one.
+    std::vector<std::size_t> leaving = std::move(node.paths[(side + 1) % 3]);
+    const auto& last = node.paths[(side + 2) % 3];
+    leaving.insert(leaving.end(), last.begin(), last.end());
+    const bool forward = this->Mesh_.EdgeAt(node.edge).v0 == this->Mesh_.Corners(triangle)[side];
+    for (std::size_t k = 0; k < leaving.size(); ++k)
+    {
+      const double fromEnd =
+        (static_cast<double>(k) + 1.0) / (static_cast<double>(leaving.size()) + 1.0);
+      paths[leaving[k]].push_back({ node.edge, forward ? 1.0 - fromEnd : fromEnd });
+    }
+    const Id next = this->Contour_.Across(triangle, node.edge);
+    nodes[next].paths[sideOf(next, node.edge)] = std::move(leaving);
+  }
+  return paths;
 }
 
 std::vector<EdgeCrossing> PatchPaths::AlongContour(std::size_t first, std::size_t last)

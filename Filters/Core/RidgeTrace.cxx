@@ -204,13 +204,19 @@ void Rotate(RidgeTrace& trace, std::size_t start)
 // A turning point that does not turn any more lies on the straight piece that it was put on.
 void RemoveFormerTurningPoints(RidgeTrace& trace)
 {
+  const auto isBetween = [](const RidgeVertex& vertex)
+  { return vertex.edge == RidgeVertex::None && vertex.umbilic == RidgeVertex::None; };
+  if (trace.closed && trace.types.front() == trace.types.back())
+  {
+    // Between two turning points of a loop there is a crossing of an edge.
+    Rotate(trace, isBetween(trace.vertices.front()) ? 1 : 0);
+  }
   std::vector<RidgeVertex> vertices{ trace.vertices.front() };
   std::vector<RidgeType> types;
   for (std::size_t i = 0; i < trace.types.size(); ++i)
   {
     const RidgeVertex& start = trace.vertices[i];
-    const bool between = start.edge == RidgeVertex::None && start.umbilic == RidgeVertex::None;
-    if (i > 0 && between && trace.types[i] == trace.types[i - 1])
+    if (i > 0 && isBetween(start) && trace.types[i] == trace.types[i - 1])
     {
       vertices.back() = trace.vertices[i + 1];
       continue;

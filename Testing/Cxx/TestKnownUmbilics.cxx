@@ -96,8 +96,7 @@ void ExpectBlend(int frequency, const std::vector<double>& patchSizes)
     }
     EXPECT_EQ(counts, (std::map<double, int>{ { -0.5, 2 }, { 0.5, 6 } }));
     ExpectAllUmbilicsJoined(umbilics, extraction->GetOutput());
-    EXPECT_EQ(
-      CountLooseRidges(extraction->GetOutput(), WholeRidges(extraction->GetOutput())), 0);
+    EXPECT_EQ(CountLooseRidges(extraction->GetOutput(), WholeRidges(extraction->GetOutput())), 0);
   }
 }
 

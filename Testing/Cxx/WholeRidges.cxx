@@ -28,8 +28,7 @@ std::vector<WholeRidge> WholeRidges(vtkPolyData* ridges)
   vtkNew<vtkIdList> ids;
   for (vtkIdType line = 0; line < ridges->GetNumberOfLines(); ++line)
   {
-    const auto id =
-      static_cast<std::size_t>(Value(ridges->GetCellData(), names::RidgeId, line));
+    const auto id = static_cast<std::size_t>(Value(ridges->GetCellData(), names::RidgeId, line));
     const auto type = static_cast<int>(Value(ridges->GetCellData(), names::RidgeType, line));
     ridges->GetLines()->GetCellAtId(line, ids);
     if (id >= whole.size())

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "PositionOrder.h"
+
+#include <algorithm>
+
+namespace ridges
+{
+
+bool ComesBefore(const Eigen::Vector3d& a, const Eigen::Vector3d& b)
+{
+  return std::lexicographical_compare(a.data(), a.data() + 3, b.data(), b.data() + 3);
+}
+
+bool ComesBefore(const TriangleMesh& mesh, Id a, Id b)
+{
+  return ComesBefore(mesh.Centroid(a), mesh.Centroid(b));
+}
+
+NeighborsByPosition::NeighborsByPosition(const TriangleMesh& mesh, Id triangle)
+{
+  for (int side = 0; side < 3; ++side)
+  {
+    const Id neighbor = mesh.Neighbor(triangle, side);
+    if (neighbor >= 0)
+    {
+      this->Neighbors_[this->Size_++] = { mesh.EdgeOf(triangle, side), neighbor };
+    }
+  }
+  std::sort(this->Neighbors_.begin(), this->Neighbors_.begin() + this->Size_,
+    [&mesh](const NeighborAcross& a, const NeighborAcross& b)
+    { return ComesBefore(mesh, a.triangle, b.triangle); });
+}
+
+} // namespace ridges
