@@ -48,9 +48,9 @@ MongeMesh::MongeMesh(vtkPolyData* mesh)
     {
       for (int i = 0; i < 3; ++i)
       {
-        this->Sides[KeyOf(corners[i], corners[(i + 1) % 3])].push_back(this->Triangles.size());
+        this->sides[KeyOf(corners[i], corners[(i + 1) % 3])].push_back(this->triangles.size());
       }
-      this->Triangles.push_back({ corners[0], corners[1], corners[2] });
+      this->triangles.push_back({ corners[0], corners[1], corners[2] });
       cells.push_back(firstPoly + cell);
     }
   }
@@ -76,14 +76,14 @@ void MongeMesh::FetchPoints()
 
 void MongeMesh::FetchRegions(const std::vector<vtkIdType>& cells)
 {
-  this->RegionOf.assign(this->Triangles.size(), None);
+  this->regionOf.assign(this->triangles.size(), None);
   vtkFieldData* field = this->Mesh_->GetFieldData();
   vtkDataArray* umbilics = field->GetArray(names::UmbilicTriangle);
   const vtkIdType count = umbilics ? umbilics->GetNumberOfTuples() : 0;
-  this->Regions.resize(count);
+  this->regions.resize(count);
   for (vtkIdType i = 0; i < count; ++i)
   {
-    this->Regions[i].ridgeCount = static_cast<int>(Value(field, names::UmbilicRidgeCount, i));
+    this->regions[i].ridgeCount = static_cast<int>(Value(field, names::UmbilicRidgeCount, i));
   }
   vtkDataArray* patch = this->Mesh_->GetCellData()->GetArray(names::UmbilicPatch);
   vtkDataArray* cancelled = this->Mesh_->GetCellData()->GetArray(names::CancelledUmbilics);
@@ -98,14 +98,14 @@ void MongeMesh::FetchRegions(const std::vector<vtkIdType>& cells)
     const auto region = inPatch >= 0.0
       ? static_cast<std::size_t>(inPatch)
       : static_cast<std::size_t>(count) + static_cast<std::size_t>(inCancelled);
-    this->Regions.resize(std::max(this->Regions.size(), region + 1));
-    this->RegionOf[t] = region;
-    this->Regions[region].triangles.push_back(t);
+    this->regions.resize(std::max(this->regions.size(), region + 1));
+    this->regionOf[t] = region;
+    this->regions[region].triangles.push_back(t);
     if (inPatch >= 0.0 &&
       Value(field, names::UmbilicTriangle, static_cast<vtkIdType>(region)) ==
         static_cast<double>(cells[t]))
     {
-      this->Regions[region].umbilic = t;
+      this->regions[region].umbilic = t;
     }
   }
 }
@@ -119,7 +119,7 @@ bool MongeMesh::Crosses(const EdgeKey& edge, bool maximum) const
 
 bool MongeMesh::IsSingular(std::size_t triangle) const
 {
-  const auto& t = this->Triangles[triangle];
+  const auto& t = this->triangles[triangle];
   return this->AcuteSign({ t[0], t[1] }) * this->AcuteSign({ t[1], t[2] }) *
     this->AcuteSign({ t[2], t[0] }) <
     0;
@@ -127,7 +127,7 @@ bool MongeMesh::IsSingular(std::size_t triangle) const
 
 bool MongeMesh::Contains(std::size_t triangle, const Eigen::Vector3d& x) const
 {
-  const auto& t = this->Triangles[triangle];
+  const auto& t = this->triangles[triangle];
   const Eigen::Vector3d origin = PointAt(this->Mesh_, t[0]);
   Eigen::Matrix3d sides;
   sides.col(0) = PointAt(this->Mesh_, t[1]) - origin;
@@ -141,15 +141,15 @@ bool MongeMesh::Contains(std::size_t triangle, const Eigen::Vector3d& x) const
 
 EdgeKey MongeMesh::SideOf(std::size_t triangle, int side) const
 {
-  const auto& t = this->Triangles[triangle];
+  const auto& t = this->triangles[triangle];
   return KeyOf(t[side], t[(side + 1) % 3]);
 }
 
 std::vector<std::size_t> MongeMesh::TrianglesWith(const std::vector<EdgeKey>& edges) const
 {
   std::vector<std::size_t> triangles;
-  const auto around = this->Sides.find(edges.front());
-  if (around != this->Sides.end())
+  const auto around = this->sides.find(edges.front());
+  if (around != this->sides.end())
   {
     for (const std::size_t t : around->second)
     {
@@ -168,13 +168,13 @@ std::vector<std::size_t> MongeMesh::TrianglesWith(const std::vector<EdgeKey>& ed
 
 std::size_t MongeMesh::RegionAround(const EdgeKey& edge) const
 {
-  const auto around = this->Sides.find(edge);
-  if (around == this->Sides.end() || around->second.size() != 2)
+  const auto around = this->sides.find(edge);
+  if (around == this->sides.end() || around->second.size() != 2)
   {
     return None;
   }
-  const std::size_t region = this->RegionOf[around->second[0]];
-  return region == this->RegionOf[around->second[1]] ? region : None;
+  const std::size_t region = this->regionOf[around->second[0]];
+  return region == this->regionOf[around->second[1]] ? region : None;
 }
 
 bool MongeMesh::IsDisk(const Region& region) const
@@ -184,7 +184,7 @@ bool MongeMesh::IsDisk(const Region& region) const
   std::map<vtkIdType, int> contour;
   for (const std::size_t t : region.triangles)
   {
-    points.insert(this->Triangles[t].begin(), this->Triangles[t].end());
+    points.insert(this->triangles[t].begin(), this->triangles[t].end());
     for (int side = 0; side < 3; ++side)
     {
       const EdgeKey edge = this->SideOf(t, side);
@@ -203,7 +203,7 @@ bool MongeMesh::IsDisk(const Region& region) const
 std::size_t MongeMesh::CountContourCrossings(std::size_t region, bool maximum) const
 {
   std::size_t count = 0;
-  for (const std::size_t t : this->Regions[region].triangles)
+  for (const std::size_t t : this->regions[region].triangles)
   {
     for (int side = 0; side < 3; ++side)
     {

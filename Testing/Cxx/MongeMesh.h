@@ -56,10 +56,10 @@ public:
   /// Edges of the region, crossed by the colour, that lead out of it.
   std::size_t CountContourCrossings(std::size_t region, bool maximum) const;
 
-  std::vector<std::array<vtkIdType, 3>> Triangles;
-  std::vector<std::size_t> RegionOf; ///< By triangle, None outside.
-  std::map<EdgeKey, std::vector<std::size_t>> Sides;
-  std::vector<Region> Regions; ///< The first belong to the umbilics, by their ids.
+  std::vector<std::array<vtkIdType, 3>> triangles;
+  std::vector<std::size_t> regionOf; ///< By triangle, None outside.
+  std::map<EdgeKey, std::vector<std::size_t>> sides;
+  std::vector<Region> regions; ///< The first belong to the umbilics, by their ids.
 
 private:
   void FetchPoints();

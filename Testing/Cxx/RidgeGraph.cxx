@@ -197,13 +197,13 @@ void ColorCheck::ExpectCrossings() const
     {
       const EdgeKey edge = EdgeOfPoint(this->Ridges_, point);
       ++pointsOnEdge[edge];
-      const auto sides = this->Mesh_.Sides.find(edge);
-      ASSERT_NE(sides, this->Mesh_.Sides.end()) << "no such edge";
+      const auto sides = this->Mesh_.sides.find(edge);
+      ASSERT_NE(sides, this->Mesh_.sides.end()) << "no such edge";
       ASSERT_EQ(neighbors.size(), sides->second.size() == 2 ? 2u : 1u)
         << "at the edge " << edge.first << " " << edge.second;
     }
   }
-  for (const auto& [edge, sides] : this->Mesh_.Sides)
+  for (const auto& [edge, sides] : this->Mesh_.sides)
   {
     const std::size_t region = this->Mesh_.RegionAround(edge);
     if (region != MongeMesh::None && this->IsDrawnAnew(region))
@@ -221,7 +221,7 @@ void ColorCheck::ExpectCrossings() const
 /// Whether more or other triangles are singular in a region than that of its umbilic.
 bool ColorCheck::IsDrawnAnew(std::size_t region) const
 {
-  const MongeMesh::Region& r = this->Mesh_.Regions[region];
+  const MongeMesh::Region& r = this->Mesh_.regions[region];
   const std::size_t crossings = this->Mesh_.CountContourCrossings(region, this->Maximum_);
   if (r.umbilic == MongeMesh::None)
   {
@@ -236,7 +236,7 @@ std::vector<std::size_t> ColorCheck::SingularTrianglesOf(
   std::vector<std::size_t> triangles;
   for (const std::size_t t : this->Mesh_.TrianglesWith(this->EdgesOf(neighbors)))
   {
-    const std::size_t region = this->Mesh_.RegionOf[t];
+    const std::size_t region = this->Mesh_.regionOf[t];
     const bool marched = region == MongeMesh::None || !this->IsDrawnAnew(region);
     if (marched && this->Mesh_.IsSingular(t) &&
       this->Mesh_.Contains(t, PointAt(this->Ridges_, point)))
@@ -280,8 +280,8 @@ void ColorCheck::ExpectEnds()
       this->TriangleOfUmbilic_[point] = ends.back().front();
       continue;
     }
-    ASSERT_LT(static_cast<std::size_t>(umbilic), this->Mesh_.Regions.size());
-    const std::size_t t = this->Mesh_.Regions[umbilic].umbilic;
+    ASSERT_LT(static_cast<std::size_t>(umbilic), this->Mesh_.regions.size());
+    const std::size_t t = this->Mesh_.regions[umbilic].umbilic;
     ASSERT_NE(t, MongeMesh::None) << "an umbilic without a triangle";
     ASSERT_TRUE(this->Mesh_.Contains(t, PointAt(this->Ridges_, point)));
     for (const vtkIdType neighbor : neighbors)
@@ -294,9 +294,9 @@ void ColorCheck::ExpectEnds()
     endsAtUmbilic[umbilic] = neighbors.size();
     this->TriangleOfUmbilic_[point] = t;
   }
-  for (std::size_t r = 0; r < this->Mesh_.Regions.size(); ++r)
+  for (std::size_t r = 0; r < this->Mesh_.regions.size(); ++r)
   {
-    const MongeMesh::Region& region = this->Mesh_.Regions[r];
+    const MongeMesh::Region& region = this->Mesh_.regions[r];
     if (region.umbilic != MongeMesh::None && this->Mesh_.IsDisk(region))
     {
       ASSERT_EQ(endsAtUmbilic[r],
@@ -305,9 +305,9 @@ void ColorCheck::ExpectEnds()
     }
   }
   std::size_t singular = 0;
-  for (std::size_t t = 0; t < this->Mesh_.Triangles.size(); ++t)
+  for (std::size_t t = 0; t < this->Mesh_.triangles.size(); ++t)
   {
-    const std::size_t region = this->Mesh_.RegionOf[t];
+    const std::size_t region = this->Mesh_.regionOf[t];
     const bool marched = region == MongeMesh::None || !this->IsDrawnAnew(region);
     singular += marched && this->Mesh_.IsSingular(t) ? 1 : 0;
   }
@@ -346,7 +346,7 @@ double ColorCheck::PlaceOnBorder(std::size_t triangle, vtkIdType point) const
   {
     ++side;
   }
-  const bool forward = this->Mesh_.Triangles[triangle][side] == edge.first;
+  const bool forward = this->Mesh_.triangles[triangle][side] == edge.first;
   return std::fmod(side + (forward ? t : 1.0 - t), 3.0);
 }
 

@@ -146,11 +146,11 @@ TEST(UmbilicJoining, OfTrianglesEndsAtTheCentroidsOfAllSingularOnes)
 
   const MongeMesh mesh(outputs.fitted);
   std::vector<Eigen::Vector3d> centroids;
-  for (std::size_t t = 0; t < mesh.Triangles.size(); ++t)
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
   {
     if (mesh.IsSingular(t))
     {
-      const auto& c = mesh.Triangles[t];
+      const auto& c = mesh.triangles[t];
       centroids.push_back((PointAt(outputs.fitted, c[0]) + PointAt(outputs.fitted, c[1]) +
                             PointAt(outputs.fitted, c[2])) /
         3.0);
