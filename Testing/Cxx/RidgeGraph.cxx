@@ -181,6 +181,7 @@ private:
 std::vector<EdgeKey> ColorCheck::EdgesOf(const std::vector<vtkIdType>& points) const
 {
   std::vector<EdgeKey> edges;
+  edges.reserve(points.size());
   for (const vtkIdType point : points)
   {
     edges.push_back(EdgeOfPoint(this->Ridges_, point));
