@@ -28,10 +28,9 @@ std::vector<std::vector<EdgeCrossing>> PatchPaths::ToPoint(const std::vector<std
   {
     straight = straight && this->Straight(sides[i], points[i], target, position, paths[i]);
   }
-  for (std::size_t i = 0; i < sides.size() && !straight; ++i)
+  if (!straight)
   {
-    paths[i] = this->OverFewest(
-      sides[i], target, (static_cast<double>(i) + 1.0) / (static_cast<double>(sides.size()) + 1.0));
+    paths = this->OverFewest(sides, target);
   }
   for (const auto& path : paths)
   {

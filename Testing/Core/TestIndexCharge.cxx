@@ -98,7 +98,7 @@ TEST(IndexCharge, SpreadingLeavesNoLargeOneBesideItsOpposite)
 }
 
 //------------------------------------------------------------------------------
-TEST(IndexCharge, DISABLED_SpreadingDoesNotDependOnTheNumbering)
+TEST(IndexCharge, SpreadingDoesNotDependOnTheNumbering)
 {
   const Mesh input = AddNormalNoise(Icosphere(10), 0.01, 1);
   const MeshedSurface surface(input);

@@ -237,7 +237,7 @@ TEST(PairCancellation, DoesNotDependOnTheNumbering)
 }
 
 //------------------------------------------------------------------------------
-TEST(PairCancellation, DISABLED_DoesNotDependOnTheNumberingWhereWaysAreOfOneLength)
+TEST(PairCancellation, DoesNotDependOnTheNumberingWhereWaysAreOfOneLength)
 {
   CheckRenumbered(TorusMesh(2.0, 0.7, 40, 20));
 }

@@ -366,7 +366,7 @@ TEST(PatchRidges, DrawsDisksAroundUmbilicsOfOneRidge)
 }
 
 //------------------------------------------------------------------------------
-TEST(PatchRidges, DISABLED_DrawsDisksAroundUmbilicsOfThreeRidges)
+TEST(PatchRidges, DrawsDisksAroundUmbilicsOfThreeRidges)
 {
   Counts counts;
   CheckDisks(3, counts);
@@ -391,7 +391,7 @@ TEST(PatchRidges, DrawsRegionsOfAnyShapeAroundUmbilicsOfOneRidge)
 }
 
 //------------------------------------------------------------------------------
-TEST(PatchRidges, DISABLED_DrawsRegionsOfAnyShapeAroundUmbilicsOfThreeRidges)
+TEST(PatchRidges, DrawsRegionsOfAnyShapeAroundUmbilicsOfThreeRidges)
 {
   Counts counts;
   CheckRegions(3, counts);

@@ -157,7 +157,7 @@ TEST(CanonicalRidges, AreTheSameWithAnyNumberingOfTheBlend)
 }
 
 // Inside cancelled regions what is drawn is not.
-TEST(CanonicalRidges, DISABLED_AreTheSameWithAnyNumberingOfANoisyMesh)
+TEST(CanonicalRidges, AreTheSameWithAnyNumberingOfANoisyMesh)
 {
   ExpectSameAfterRenumbering(NoisyBlend());
 }

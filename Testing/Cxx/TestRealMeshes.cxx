@@ -90,7 +90,7 @@ INSTANTIATE_TEST_SUITE_P(
   Scans, UncrossedMeshes, ::testing::Values("blade", "mushroom", "fandisk_large"));
 
 // Where three ridges meet and run to their umbilic over one triangle.
-INSTANTIATE_TEST_SUITE_P(DISABLED_Scans, UncrossedMeshes,
+INSTANTIATE_TEST_SUITE_P(Scans, UncrossedMeshes,
   ::testing::Values("bunny00", "mannequin-devil", "elephant-with-holes"));
 
 INSTANTIATE_TEST_SUITE_P(Scans, CleanMeshes, ::testing::Values("bunny00", "mannequin-devil"));
