@@ -153,6 +153,7 @@ DirectionIndex::Fan DirectionIndex::FanAt(Id triangle, int corner) const
   }
 
   double total = 0.0;
+  double area = 0.0;
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();
   std::vector<double>& angles = AnglesOfFan();
   angles.clear();
@@ -162,7 +163,9 @@ DirectionIndex::Fan DirectionIndex::FanAt(Id triangle, int corner) const
   {
     angles.push_back(this->Angle(t, c));
     total += angles.back();
-    normal += this->Mesh_.AreaNormal(t);
+    const Eigen::Vector3d ofTriangle = this->Mesh_.AreaNormal(t);
+    normal += ofTriangle;
+    area += ofTriangle.norm();
     t = this->NextInFan(t, c, c);
   } while (t >= 0 && t != first);
 
@@ -171,7 +174,9 @@ DirectionIndex::Fan DirectionIndex::FanAt(Id triangle, int corner) const
 
   const Eigen::Vector3d d1 = this->Field_.D1(p);
   const Eigen::Vector3d d2 = this->Field_.D2(p);
-  const double side = d1.cross(d2).dot(normal) >= 0.0 ? 1.0 : -1.0;
+  // A fan that is folded flat has no side: round-off must not choose it by where the fan starts.
+  constexpr double roundOff = 1e-9;
+  const double side = d1.cross(d2).dot(normal) >= -roundOff * area ? 1.0 : -1.0;
   std::complex<double> sum = 0.0;
   // Where they agree nowhere, as in a fold, one edge decides, wherever the fan starts.
   std::complex<double> ofFirst = 1.0;

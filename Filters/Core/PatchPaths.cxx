@@ -52,6 +52,10 @@ bool PatchPaths::Straight(std::size_t side, const Eigen::Vector3d& from, Id targ
   const Eigen::Vector3d normal = this->Mesh_.AreaNormal(target);
   const Eigen::Vector3d across = normal.cross(position - from);
   const auto offset = [&](Id p) { return across.dot(this->Mesh_.Point(p) - from); };
+  // On the way it comes nearer all the time: on a fold it might come from the other side.
+  const Eigen::Vector3d along = across.cross(normal);
+  double passed = 0.0;
+  const double whole = along.dot(position - from);
 
   // The crossing stays off the corners, so that the paths along the contour find room there.
   constexpr double margin = 1e-3;
@@ -76,7 +80,16 @@ bool PatchPaths::Straight(std::size_t side, const Eigen::Vector3d& from, Id targ
     const Edge& exit = this->Mesh_.EdgeAt(edge);
     const double at0 = offset(exit.v0);
     const double at1 = offset(exit.v1);
-    path.push_back({ edge, std::min(1.0 - margin, std::max(margin, at0 / (at0 - at1))) });
+    const double parameter = std::min(1.0 - margin, std::max(margin, at0 / (at0 - at1)));
+    const Eigen::Vector3d point =
+      (1.0 - parameter) * this->Mesh_.Point(exit.v0) + parameter * this->Mesh_.Point(exit.v1);
+    const double reached = along.dot(point - from);
+    if (reached < passed || reached > whole)
+    {
+      return false;
+    }
+    passed = reached;
+    path.push_back({ edge, parameter });
     triangle = this->Contour_.Across(triangle, edge);
     if (triangle < 0)
     {

@@ -116,7 +116,7 @@ RidgePoint RidgePointAt(
 RidgePoint RidgePointAtUmbilic(const TriangleMesh& mesh, const MongeField& field, Id triangle,
   const Eigen::Vector3d& position, const RidgePoint& next)
 {
-  const Triangle& corners = mesh.Corners(triangle);
+  const Triangle corners = CornersInOrder(mesh, triangle);
   const Eigen::Vector3d weights = UmbilicWeights(mesh, field, triangle);
   RidgePoint point = next;
   point.parameter = 0.0;

@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 namespace ridges
@@ -217,8 +218,17 @@ void TriangleMesh::FindEdges(Id begin, Id end, std::vector<Edge>& edges, std::ve
 
 Eigen::Vector3d TriangleMesh::Centroid(Id t) const
 {
-  const Triangle& c = this->Triangles_[t];
-  return (this->Point(c[0]) + this->Point(c[1]) + this->Point(c[2])) / 3.0;
+  // Summed by size, so that the corner that a triangle starts at does not show even in round-off.
+  const Triangle& c = this->Corners(t);
+  Eigen::Vector3d centroid;
+  for (int i = 0; i < 3; ++i)
+  {
+    std::array<double, 3> values = { this->Point(c[0])[i], this->Point(c[1])[i],
+      this->Point(c[2])[i] };
+    std::sort(values.begin(), values.end());
+    centroid[i] = (values[0] + values[1] + values[2]) / 3.0;
+  }
+  return centroid;
 }
 
 Eigen::Vector3d TriangleMesh::AreaNormal(Id t) const

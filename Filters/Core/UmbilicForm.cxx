@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "UmbilicForm.h"
 
+#include "PositionOrder.h"
+
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 
+#include <algorithm>
 #include <cmath>
 
 namespace ridges
@@ -22,11 +25,20 @@ bool HasThreeRoots(const SymmetricTensor<3>& f)
 
 } // namespace
 
-Eigen::Matrix<double, 2, 3> TracelessForms(
-  const TriangleMesh& mesh, const MongeField& field, Id triangle)
+Triangle CornersInOrder(const TriangleMesh& mesh, Id triangle)
 {
-  const Triangle& corners = mesh.Corners(triangle);
-  const Eigen::Vector3d normal = mesh.AreaNormal(triangle);
+  Triangle corners = mesh.Corners(triangle);
+  const auto first = std::min_element(corners.begin(), corners.end(),
+    [&mesh](Id p, Id q) { return ComesBefore(mesh.Point(p), mesh.Point(q)); });
+  std::rotate(corners.begin(), first, corners.end());
+  return corners;
+}
+
+Eigen::Matrix<double, 2, 3> TracelessForms(
+  const TriangleMesh& mesh, const MongeField& field, const Triangle& corners)
+{
+  const Eigen::Vector3d normal = (mesh.Point(corners[1]) - mesh.Point(corners[0]))
+                                   .cross(mesh.Point(corners[2]) - mesh.Point(corners[0]));
   const Eigen::Vector3d e1 = (mesh.Point(corners[1]) - mesh.Point(corners[0])).normalized();
   const Eigen::Vector3d e2 = normal.cross(e1).normalized();
   Eigen::Matrix<double, 2, 3> forms;
@@ -48,7 +60,7 @@ Eigen::Matrix<double, 2, 3> TracelessForms(
 Eigen::Vector3d UmbilicWeights(const TriangleMesh& mesh, const MongeField& field, Id triangle)
 {
   const Eigen::Vector3d centroid = Eigen::Vector3d::Constant(1.0 / 3.0);
-  const auto forms = TracelessForms(mesh, field, triangle);
+  const auto forms = TracelessForms(mesh, field, CornersInOrder(mesh, triangle));
   const double magnitude = forms.cwiseAbs().maxCoeff();
   if (!(magnitude > 0.0) || !std::isfinite(magnitude))
   {
@@ -64,7 +76,7 @@ Eigen::Vector3d UmbilicWeights(const TriangleMesh& mesh, const MongeField& field
 
 Eigen::Vector3d UmbilicInTriangle(const TriangleMesh& mesh, const MongeField& field, Id triangle)
 {
-  const Triangle& corners = mesh.Corners(triangle);
+  const Triangle corners = CornersInOrder(mesh, triangle);
   const Eigen::Vector3d weights = UmbilicWeights(mesh, field, triangle);
   return weights[0] * mesh.Point(corners[0]) + weights[1] * mesh.Point(corners[1]) +
     weights[2] * mesh.Point(corners[2]);
@@ -73,9 +85,12 @@ Eigen::Vector3d UmbilicInTriangle(const TriangleMesh& mesh, const MongeField& fi
 SymmetricTensor<3> CubicFormAt(
   const TriangleMesh& mesh, const MongeField& field, Id triangle, const Eigen::Vector3d& weights)
 {
-  const Triangle& corners = mesh.Corners(triangle);
-  const Eigen::Vector3d e1 = mesh.AreaNormal(triangle).unitOrthogonal();
-  const Eigen::Vector3d e2 = mesh.AreaNormal(triangle).normalized().cross(e1);
+  const Triangle corners = CornersInOrder(mesh, triangle);
+  const Eigen::Vector3d normal = (mesh.Point(corners[1]) - mesh.Point(corners[0]))
+                                   .cross(mesh.Point(corners[2]) - mesh.Point(corners[0]))
+                                   .normalized();
+  const Eigen::Vector3d e1 = normal.unitOrthogonal();
+  const Eigen::Vector3d e2 = normal.cross(e1);
   SymmetricTensor<3> mean{};
   for (int i = 0; i < 3; ++i)
   {

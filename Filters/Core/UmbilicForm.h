@@ -8,18 +8,22 @@
 namespace ridges
 {
 
+/// The corners of a triangle from that which comes first by position: what is computed from them in
+/// this order does not depend on the numbering.
+Triangle CornersInOrder(const TriangleMesh& mesh, Id triangle);
+
 /**
  * The traceless part of the second fundamental form at the corners of a triangle, in one frame of
  * its plane, a column each. It is a vector of length k1 - k2 that turns twice as fast as d1, and
  * vanishes at umbilics.
  */
 Eigen::Matrix<double, 2, 3> TracelessForms(
-  const TriangleMesh& mesh, const MongeField& field, Id triangle);
+  const TriangleMesh& mesh, const MongeField& field, const Triangle& corners);
 
 /**
- * The umbilic of a singular triangle, as barycentric weights of its corners: where the traceless
- * part of the second fundamental form, interpolated linearly between the corners, vanishes; the
- * centroid if there is no such point inside. Second-order accurate.
+ * The umbilic of a singular triangle, as barycentric weights of its corners, in order: where the
+ * traceless part of the second fundamental form, interpolated linearly between the corners,
+ * vanishes; the centroid if there is no such point inside. Second-order accurate.
  */
 Eigen::Vector3d UmbilicWeights(const TriangleMesh& mesh, const MongeField& field, Id triangle);
 

@@ -129,11 +129,11 @@ bool MongeMesh::Contains(std::size_t triangle, const Eigen::Vector3d& x) const
 {
   const auto& t = this->triangles[triangle];
   const Eigen::Vector3d origin = PointAt(this->Mesh_, t[0]);
-  Eigen::Matrix3d sides;
-  sides.col(0) = PointAt(this->Mesh_, t[1]) - origin;
-  sides.col(1) = PointAt(this->Mesh_, t[2]) - origin;
-  sides.col(2) = sides.col(0).cross(sides.col(1)).normalized() * sides.col(0).norm();
-  const Eigen::Vector3d weights = sides.fullPivLu().solve(x - origin);
+  Eigen::Matrix3d axes;
+  axes.col(0) = PointAt(this->Mesh_, t[1]) - origin;
+  axes.col(1) = PointAt(this->Mesh_, t[2]) - origin;
+  axes.col(2) = axes.col(0).cross(axes.col(1)).normalized() * axes.col(0).norm();
+  const Eigen::Vector3d weights = axes.fullPivLu().solve(x - origin);
   constexpr double tolerance = 1e-9; // far above round-off, far below the size of a triangle
   return weights[0] >= -tolerance && weights[1] >= -tolerance &&
     weights[0] + weights[1] <= 1.0 + tolerance && std::abs(weights[2]) <= tolerance;
@@ -147,7 +147,7 @@ EdgeKey MongeMesh::SideOf(std::size_t triangle, int side) const
 
 std::vector<std::size_t> MongeMesh::TrianglesWith(const std::vector<EdgeKey>& edges) const
 {
-  std::vector<std::size_t> triangles;
+  std::vector<std::size_t> found;
   const auto around = this->sides.find(edges.front());
   if (around != this->sides.end())
   {
