@@ -198,7 +198,7 @@ CoherenceCheck CheckCrossings(const RidgePicture& picture, const std::vector<Who
     check.found += (color == Color::Red ? ", " : "") + std::to_string(lost.edges.size()) + " of " +
       std::to_string(lost.crossed) + " " + Name(color);
   }
-  check.found += " lost; " + std::to_string(loops) + " small loops left out";
+  check.found += " lost; " + std::to_string(loops) + " small loops, or parts of them, left out";
   check.expected = "those of the acute rule";
   check.applies = picture.mesh->NumberOfEdges() > 0;
   return check;

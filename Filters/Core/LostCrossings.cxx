@@ -13,7 +13,7 @@ namespace
 constexpr std::size_t MostPoints = 64;
 constexpr std::size_t MostCrossings = 256;
 
-/// Puts lost crossings together that a ridge would join: through a triangle or through a region.
+/// Puts lost crossings together that a ridge would join outside of regions.
 class Gathering
 {
 public:
@@ -33,7 +33,7 @@ public:
     }
   }
 
-  /// The lost crossings of one ridge, or of several where they meet in a region.
+  /// The lost crossings of one ridge, from region to region if it passes some.
   std::vector<Id> Take(Id edge)
   {
     std::vector<Id> gathered{ edge };
@@ -42,8 +42,10 @@ public:
     {
       for (const Id t : TrianglesAt(*this->Picture_.mesh, gathered[i]))
       {
-        const auto beside = this->Beside_.find(this->PlaceOf(t));
-        for (std::size_t j = 0; beside != this->Beside_.end() && j < beside->second.size(); ++j)
+        const std::int64_t place = this->PlaceOf(t);
+        const auto beside = this->Beside_.find(place);
+        const bool looks = place >= 0 && beside != this->Beside_.end();
+        for (std::size_t j = 0; looks && j < beside->second.size(); ++j)
         {
           if (this->Lost_.erase(beside->second[j]) > 0)
           {
@@ -57,7 +59,18 @@ public:
 
   bool IsLeft(Id edge) const { return this->Lost_.count(edge) > 0; }
 
-  /// Whether crossings go on at both sides, wherever that can be told.
+  bool TouchesRegion(const std::vector<Id>& edges) const
+  {
+    return std::any_of(edges.begin(), edges.end(),
+      [this](Id e)
+      {
+        const std::vector<Id> triangles = TrianglesAt(*this->Picture_.mesh, e);
+        return std::any_of(
+          triangles.begin(), triangles.end(), [this](Id t) { return this->PlaceOf(t) < 0; });
+      });
+  }
+
+  /// Whether crossings go on at both sides: as many enter a triangle, or a region, as leave it.
   bool IsClosed(const std::vector<Id>& edges) const
   {
     for (const Id e : edges)
@@ -68,8 +81,7 @@ public:
       }
       for (const Id t : TrianglesAt(*this->Picture_.mesh, e))
       {
-        const bool isPlain = this->Picture_.isUsable[t] && !this->Picture_.InRegion(t);
-        if (isPlain && this->Beside_.at(this->PlaceOf(t)).size() % 2 != 0)
+        if (this->Picture_.isUsable[t] && this->Beside_.at(this->PlaceOf(t)).size() % 2 != 0)
         {
           return false;
         }
@@ -82,9 +94,8 @@ private:
   /// A triangle, or a whole region by a negative number.
   std::int64_t PlaceOf(Id t) const
   {
-    const std::int64_t patch = this->Picture_.patchOf[t];
-    const std::int64_t cancelled = this->Picture_.cancelledIn[t];
-    return patch >= 0 ? -1 - 2 * patch : (cancelled >= 0 ? -2 - 2 * cancelled : t);
+    const std::int64_t region = this->Picture_.RegionOf(t);
+    return region >= 0 ? -1 - region : t;
   }
 
   const RidgePicture& Picture_;
@@ -92,8 +103,7 @@ private:
   std::unordered_map<std::int64_t, std::vector<Id>> Beside_;
 };
 
-// Whether on one side of the crossings there are few points. Those inside regions, where it is not
-// known how the loop runs, are not passed.
+// Whether on one side of the crossings of a loop there are few points.
 bool EnclosesFew(const RidgePicture& picture, const std::vector<Id>& crossings)
 {
   const TriangleMesh& mesh = *picture.mesh;
@@ -113,8 +123,7 @@ bool EnclosesFew(const RidgePicture& picture, const std::vector<Id>& crossings)
           const Edge& ends = mesh.EdgeAt(e);
           const bool isSpoke = ends.v0 == points[i] || ends.v1 == points[i];
           const Id other = ends.v0 + ends.v1 - points[i];
-          if (isSpoke && fence.count(e) == 0 && picture.IsOutside(e) &&
-            reached.insert(other).second)
+          if (isSpoke && fence.count(e) == 0 && reached.insert(other).second)
           {
             points.push_back(other);
           }
@@ -179,8 +188,9 @@ LostCrossings FindLostCrossings(
       continue;
     }
     const std::vector<Id> together = gathering.Take(e);
+    // What a loop encloses that passes a region cannot be told.
     const bool isSmallLoop = together.size() <= MostCrossings && gathering.IsClosed(together) &&
-      EnclosesFew(picture, together);
+      (gathering.TouchesRegion(together) || EnclosesFew(picture, together));
     result.smallLoops += isSmallLoop ? 1 : 0;
     if (!isSmallLoop)
     {

@@ -60,9 +60,22 @@ int RidgePicture::UsableSides(Id edge) const
 
 bool RidgePicture::IsOutside(Id edge) const
 {
-  const std::vector<Id> triangles = TrianglesAt(*this->mesh, edge);
-  return std::any_of(triangles.begin(), triangles.end(),
-    [this](Id t) { return this->isUsable[t] && !this->InRegion(t); });
+  const int sides = this->UsableSides(edge);
+  if (sides != 2)
+  {
+    return sides > 0;
+  }
+  std::int64_t first = -1;
+  for (const Id t : TrianglesAt(*this->mesh, edge))
+  {
+    const std::int64_t region = this->RegionOf(t);
+    if (this->isUsable[t] && (region < 0 || (first >= 0 && region != first)))
+    {
+      return true;
+    }
+    first = this->isUsable[t] ? region : first;
+  }
+  return false;
 }
 
 const PictureUmbilic* RidgePicture::UmbilicOf(Id id) const

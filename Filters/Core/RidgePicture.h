@@ -60,17 +60,21 @@ struct RidgePicture
   std::vector<PicturePoint> points;
   std::vector<PictureLine> lines;
 
-  /// Whether inside a triangle ridges are drawn by other rules than the acute one.
-  bool InRegion(Id triangle) const
+  /// The patch or region of cancelled umbilics a triangle is in, inside which ridges are drawn by
+  /// other rules than the acute one: a number for each, or -1.
+  std::int64_t RegionOf(Id triangle) const
   {
-    return this->patchOf[triangle] >= 0 || this->cancelledIn[triangle] >= 0;
+    const std::int64_t patch = this->patchOf[triangle];
+    const std::int64_t cancelled = this->cancelledIn[triangle];
+    return patch >= 0 ? 2 * patch : (cancelled >= 0 ? 2 * cancelled + 1 : -1);
   }
 
   /// Number of usable triangles at an edge; other than 2 it is a border to ridges.
   int UsableSides(Id edge) const;
   bool IsBorder(Id edge) const { return this->UsableSides(edge) != 2; }
 
-  /// Whether the acute rule alone decides on an edge: a usable triangle beside it is in no region.
+  /// Whether the acute rule alone decides on an edge: it is usable, and outside or on the border of
+  /// regions.
   bool IsOutside(Id edge) const;
 
   /// The umbilic of an id, or null.

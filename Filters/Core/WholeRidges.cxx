@@ -135,7 +135,8 @@ std::vector<RidgePiece> PiecesOf(const RidgePicture& picture, const RidgeChain& 
     Id triangle = -1;
     if (a.edge >= 0 && b.edge >= 0)
     {
-      triangle = a.edge == b.edge ? -1 : CommonTriangle(picture, a.edge, b.edge, before);
+      // In regions a ridge may enter a triangle and leave it through the same edge.
+      triangle = CommonTriangle(picture, a.edge, b.edge, before);
     }
     else if (a.edge >= 0 && b.IsUmbilic())
     {
