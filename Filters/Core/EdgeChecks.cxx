@@ -28,25 +28,26 @@ std::string Name(Color color)
   return color == Color::Blue ? "blue" : "red";
 }
 
+/// In a triangle, however thin: distances count, as the longest side's length allows.
 bool IsInTriangle(const TriangleMesh& mesh, Id triangle, const Eigen::Vector3d& x)
 {
   const Triangle& corners = mesh.Corners(triangle);
-  const Eigen::Vector3d normal = mesh.AreaNormal(triangle);
-  const double size = normal.norm();
-  if (std::abs(normal.dot(x - mesh.Point(corners[0]))) > PositionTolerance * size * std::sqrt(size))
+  const Eigen::Vector3d normal = mesh.AreaNormal(triangle).normalized();
+  double longest = 0.0;
+  for (int i = 0; i < 3; ++i)
   {
-    return false;
+    longest = std::max(longest, (mesh.Point(corners[i]) - mesh.Point(corners[(i + 1) % 3])).norm());
   }
+  const double tolerance = PositionTolerance * longest;
+  bool isIn = std::abs(normal.dot(x - mesh.Point(corners[0]))) <= tolerance;
   for (int i = 0; i < 3; ++i)
   {
     const Eigen::Vector3d from = mesh.Point(corners[i]);
-    const Eigen::Vector3d side = mesh.Point(corners[(i + 1) % 3]) - from;
-    if (normal.dot(side.cross(x - from)) < -PositionTolerance * size * size)
-    {
-      return false;
-    }
+    const Eigen::Vector3d inward =
+      normal.cross(mesh.Point(corners[(i + 1) % 3]) - from).normalized();
+    isIn = isIn && inward.dot(x - from) >= -tolerance;
   }
-  return true;
+  return isIn;
 }
 
 bool IsOnItsEdge(const TriangleMesh& mesh, const PicturePoint& point)
@@ -61,12 +62,22 @@ bool IsOnItsEdge(const TriangleMesh& mesh, const PicturePoint& point)
   return (point.position - expected).norm() <= PositionTolerance * (q - p).norm();
 }
 
-/// A turning point between two points of a ridge.
-bool IsBetween(
-  const Eigen::Vector3d& x, const Eigen::Vector3d& before, const Eigen::Vector3d& after)
+double LengthOf(const TriangleMesh& mesh, Id edge)
 {
-  const double length = (after - before).norm();
-  return (x - before).norm() + (after - x).norm() <= (1.0 + PositionTolerance) * length;
+  return edge < 0 ? 0.0
+                  : (mesh.Point(mesh.EdgeAt(edge).v0) - mesh.Point(mesh.EdgeAt(edge).v1)).norm();
+}
+
+/// A turning point on the segment between two points of a ridge, which may be next to each other.
+bool IsBetween(const TriangleMesh& mesh, const Eigen::Vector3d& x, const PicturePoint& before,
+  const PicturePoint& after)
+{
+  const Eigen::Vector3d along = after.position - before.position;
+  const double square = along.squaredNorm();
+  const double t = square > 0.0 ? along.dot(x - before.position) / square : 0.0;
+  const Eigen::Vector3d nearest = before.position + std::min(1.0, std::max(0.0, t)) * along;
+  return (x - nearest).norm() <=
+    PositionTolerance * std::max(LengthOf(mesh, before.edge), LengthOf(mesh, after.edge));
 }
 
 /// Points of a chain that are not where they have to be.
@@ -74,10 +85,11 @@ void FindMisplaced(const RidgePicture& picture, const RidgeChain& chain, std::se
 {
   const TriangleMesh& mesh = *picture.mesh;
   const std::size_t count = chain.points.size();
-  const auto position = [&](std::size_t i) { return picture.points[chain.points[i]].position; };
+  const auto pointAt = [&](std::size_t i) -> const PicturePoint&
+  { return picture.points[chain.points[i]]; };
   for (std::size_t i = 0; i < count; ++i)
   {
-    const PicturePoint& point = picture.points[chain.points[i]];
+    const PicturePoint& point = pointAt(i);
     bool good = true;
     if (point.edge != PicturePoint::None)
     {
@@ -92,8 +104,8 @@ void FindMisplaced(const RidgePicture& picture, const RidgeChain& chain, std::se
     else if (point.turning && (chain.closed || (i > 0 && i + 1 < count)))
     {
       // A loop has its first point at its end again.
-      good = IsBetween(
-        point.position, position(i > 0 ? i - 1 : count - 2), position(i + 1 < count ? i + 1 : 1));
+      good = IsBetween(mesh, point.position, pointAt(i > 0 ? i - 1 : count - 2),
+        pointAt(i + 1 < count ? i + 1 : 1));
     }
     if (!good)
     {
