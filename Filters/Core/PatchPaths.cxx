@@ -24,10 +24,9 @@ std::vector<std::vector<EdgeCrossing>> PatchPaths::ToPoint(const std::vector<std
   {
     straight = straight && this->Straight(sides[i], points[i], target, position, paths[i]);
   }
-  for (std::size_t i = 0; i < sides.size() && !straight; ++i)
+  if (!straight)
   {
-    paths[i] = this->OverFewest(
-      sides[i], target, (static_cast<double>(i) + 1.0) / (static_cast<double>(sides.size()) + 1.0));
+    paths = this->OverFewest(sides, target);
   }
   for (const auto& path : paths)
   {
@@ -83,37 +82,66 @@ bool PatchPaths::Straight(std::size_t side, const Eigen::Vector3d& from, Id targ
   return true;
 }
 
-std::vector<EdgeCrossing> PatchPaths::OverFewest(std::size_t side, Id target, double fraction) const
+// The ways to the target are a tree. Over an edge of it the paths run in the order of the contour,
+// which is to be counted from a place where another branch of the target begins: else the order
+// would break inside a branch, and paths cross.
+std::vector<std::vector<EdgeCrossing>> PatchPaths::OverFewest(
+  const std::vector<std::size_t>& sides, Id target) const
 {
-  // From the target, so that the ways of different sides run together once they meet.
+  struct Way
+  {
+    Id next;
+    Id edge;
+    Id branch; ///< The edge of the target that it leads over.
+  };
   std::vector<Id> reached{ target };
-  std::unordered_map<Id, std::pair<Id, Id>> towards{ { target, { -1, -1 } } };
-  const Id start = this->Contour_.Sides()[side].triangle;
-  for (std::size_t i = 0; i < reached.size() && towards.count(start) == 0; ++i)
+  std::unordered_map<Id, Way> ways{ { target, { -1, -1, -1 } } };
+  for (std::size_t i = 0; i < reached.size(); ++i)
   {
     for (int j = 0; j < 3; ++j)
     {
       const Id edge = this->Mesh_.EdgeOf(reached[i], j);
       const Id next = this->Contour_.Across(reached[i], edge);
-      if (next >= 0 && towards.insert({ next, { reached[i], edge } }).second)
+      const Id branch = i == 0 ? edge : ways.at(reached[i]).branch;
+      if (next >= 0 && ways.insert({ next, { reached[i], edge, branch } }).second)
       {
         reached.push_back(next);
       }
     }
   }
-  std::vector<EdgeCrossing> path;
-  for (Id t = start; t != target;)
+  const std::size_t count = this->Contour_.Sides().size();
+  const auto branchOf = [&](std::size_t side)
   {
-    const auto& way = towards.at(t);
-    // In the order of the contour: the side of an edge that it leaves to the right comes first.
-    const Triangle& corners = this->Mesh_.Corners(t);
-    const Edge& edge = this->Mesh_.EdgeAt(way.second);
-    const int corner = corners[0] == edge.v0 ? 0 : (corners[1] == edge.v0 ? 1 : 2);
-    const bool forward = corners[(corner + 1) % 3] == edge.v1;
-    path.push_back({ way.second, forward ? 1.0 - fraction : fraction });
-    t = way.first;
+    const PatchContour::Side& at = this->Contour_.Sides()[side];
+    return at.triangle == target ? at.edge : ways.at(at.triangle).branch;
+  };
+  std::size_t first = 0;
+  while (first + 1 < count && branchOf(first) == branchOf((first + count - 1) % count))
+  {
+    ++first;
   }
-  return path;
+  const auto place = [&](std::size_t side) { return (side + count - first) % count; };
+
+  std::vector<std::vector<EdgeCrossing>> paths(sides.size());
+  for (std::size_t i = 0; i < sides.size(); ++i)
+  {
+    const auto before = std::count_if(
+      sides.begin(), sides.end(), [&](std::size_t side) { return place(side) < place(sides[i]); });
+    const double fraction =
+      (static_cast<double>(before) + 1.0) / (static_cast<double>(sides.size()) + 1.0);
+    for (Id t = this->Contour_.Sides()[sides[i]].triangle; t != target;)
+    {
+      const Way& way = ways.at(t);
+      // In the order of the contour: the side of an edge that it leaves to the right comes first.
+      const Triangle& corners = this->Mesh_.Corners(t);
+      const Edge& edge = this->Mesh_.EdgeAt(way.edge);
+      const int corner = corners[0] == edge.v0 ? 0 : (corners[1] == edge.v0 ? 1 : 2);
+      const bool forward = corners[(corner + 1) % 3] == edge.v1;
+      paths[i].push_back({ way.edge, forward ? 1.0 - fraction : fraction });
+      t = way.next;
+    }
+  }
+  return paths;
 }
 
 std::vector<EdgeCrossing> PatchPaths::AlongContour(std::size_t first, std::size_t last)

@@ -46,7 +46,8 @@ private:
 
   bool Straight(std::size_t side, const Eigen::Vector3d& from, Id target,
     const Eigen::Vector3d& position, std::vector<EdgeCrossing>& path) const;
-  std::vector<EdgeCrossing> OverFewest(std::size_t side, Id target, double fraction) const;
+  std::vector<std::vector<EdgeCrossing>> OverFewest(
+    const std::vector<std::size_t>& sides, Id target) const;
 
   const TriangleMesh& Mesh_;
   const PatchContour& Contour_;
