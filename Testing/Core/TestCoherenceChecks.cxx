@@ -3,11 +3,15 @@
 
 #include "CoherenceChecks.h"
 #include "LostCrossings.h"
+#include "PatchPaths.h"
 #include "TestFields.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <functional>
+#include <random>
+#include <set>
 
 namespace ridges
 {
@@ -305,6 +309,108 @@ TEST(CoherenceChecks, CrossingsInsideRegionsAreNotLookedAt)
   std::fill(grid.picture.cancelledIn.begin(), grid.picture.cancelledIn.begin() + 16, 1);
   // The border between two regions is outside: two of the edges are on it.
   EXPECT_EQ(FindLostCrossings(grid.picture, {}, Color::Blue).crossed, 2u);
+}
+
+// Random connected patches, folded as they may be: three ways lead to a point in the middle, and
+// one runs along the contour between two of its sides with none of the three between them.
+TEST(PatchPaths, DoNotCross)
+{
+  std::mt19937_64 generator(11);
+  const auto below = [&generator](std::size_t n)
+  { return static_cast<std::size_t>(n * Uniform(generator)); };
+  int looked = 0;
+  for (int round = 0; round < 3000; ++round)
+  {
+    Grid grid(9);
+    const TriangleMesh& mesh = *grid.picture.mesh;
+    const Id target = 60;
+    std::vector<Id> patch{ target };
+    for (int side = 0; side < 3; ++side) // so that the target has no side on the contour
+    {
+      patch.push_back(mesh.Neighbor(target, side));
+    }
+    const std::size_t size = 8 + below(40);
+    while (patch.size() < size)
+    {
+      const Id next = mesh.Neighbor(patch[below(patch.size())], static_cast<int>(below(3)));
+      if (next >= 0 && std::find(patch.begin(), patch.end(), next) == patch.end())
+      {
+        patch.push_back(next);
+      }
+    }
+    std::sort(patch.begin(), patch.end());
+    const PatchContour contour(mesh, patch);
+    std::set<Id> edges;
+    for (const PatchContour::Side& side : contour.Sides())
+    {
+      edges.insert(side.edge);
+    }
+    if (edges.size() != contour.Sides().size())
+    {
+      continue; // cut open: an edge is there twice
+    }
+    std::set<std::size_t> drawn;
+    while (drawn.size() < 5)
+    {
+      drawn.insert(below(contour.Sides().size()));
+    }
+    std::vector<std::size_t> sides(drawn.begin(), drawn.end());
+    const std::size_t apart = below(5);
+    const std::size_t first = sides[apart];
+    const std::size_t last = sides[(apart + 1) % 5];
+    sides.erase(std::remove_if(sides.begin(), sides.end(),
+                  [&](std::size_t side) { return side == first || side == last; }),
+      sides.end());
+
+    const Triangle& corners = mesh.Corners(target);
+    const double weights[] = { 0.02 + Uniform(generator), 0.02 + Uniform(generator),
+      0.02 + Uniform(generator) };
+    const Eigen::Vector3d position =
+      (weights[0] * mesh.Point(corners[0]) + weights[1] * mesh.Point(corners[1]) +
+        weights[2] * mesh.Point(corners[2])) /
+      (weights[0] + weights[1] + weights[2]);
+    const auto pointOn = [&](std::size_t side)
+    {
+      const Edge& edge = mesh.EdgeAt(contour.Sides()[side].edge);
+      return grid.OnEdge(edge.v0, edge.v1);
+    };
+    const auto follow = [&](std::vector<Id>& line, const std::vector<EdgeCrossing>& path)
+    {
+      for (const EdgeCrossing& crossing : path)
+      {
+        const Edge& edge = mesh.EdgeAt(crossing.edge);
+        line.push_back(grid.OnEdge(edge.v0, edge.v1, crossing.parameter));
+      }
+    };
+    PatchPaths paths(mesh, contour);
+    std::vector<Eigen::Vector3d> starts;
+    std::vector<std::vector<Id>> lines;
+    for (const std::size_t side : sides)
+    {
+      lines.push_back({ pointOn(side) });
+      starts.push_back(grid.picture.points.back().position);
+    }
+    grid.AddUmbilic(0, target, 3);
+    const Id umbilic = grid.AtUmbilic(0, target);
+    grid.picture.points[umbilic].position = position;
+    const auto ways = paths.ToPoint(sides, starts, target, position);
+    for (std::size_t i = 0; i < sides.size(); ++i)
+    {
+      follow(lines[i], ways[i]);
+      lines[i].push_back(umbilic);
+    }
+    lines.push_back({ pointOn(first) });
+    follow(lines.back(), paths.AlongContour(first, last));
+    lines.back().push_back(pointOn(last));
+    for (std::size_t i = 0; i < lines.size(); ++i)
+    {
+      grid.AddLine(static_cast<Id>(i), lines[i]);
+    }
+    const std::vector<WholeRidge> ridges = grid.Ridges();
+    ASSERT_TRUE(CheckNoIntersections(grid.picture, ridges).Passed()) << "round " << round;
+    ++looked;
+  }
+  EXPECT_GT(looked, 300);
 }
 
 } // namespace testing
