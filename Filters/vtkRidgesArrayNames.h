@@ -89,6 +89,20 @@ constexpr const char* EdgePoint1 = "EdgePoint1";
 constexpr const char* EdgeParameter = "EdgeParameter";
 ///@}
 
+/// @name Table of vtkRidgeCoherence
+///@{
+constexpr const char* Check = "Check";
+constexpr const char* Section = "Section";
+constexpr const char* Expected = "Expected";
+constexpr const char* Found = "Found";
+constexpr const char* Applies = "Applies";
+constexpr const char* Passed = "Passed";
+constexpr const char* NumberOfOffenders = "NumberOfOffenders";
+constexpr const char* OffenderKind = "OffenderKind";
+constexpr const char* Offenders = "Offenders";
+constexpr const char* OffenderPosition = "OffenderPosition";
+///@}
+
 /// @name Curvature lines, cell data, besides Closed and Length; point data is Curvature
 ///@{
 constexpr const char* PrincipalDirection = "PrincipalDirection";

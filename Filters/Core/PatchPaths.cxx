@@ -32,6 +32,10 @@ std::vector<std::vector<EdgeCrossing>> PatchPaths::ToPoint(const std::vector<std
   {
     paths = this->OverFewest(sides, target);
   }
+  if (target >= 0 && !sides.empty())
+  {
+    this->TakeCorners(target, position);
+  }
   for (const auto& path : paths)
   {
     for (const EdgeCrossing& crossing : path)
@@ -43,6 +47,30 @@ std::vector<std::vector<EdgeCrossing>> PatchPaths::ToPoint(const std::vector<std
     }
   }
   return paths;
+}
+
+// A path around a corner of the target has to pass between the corner and the point: nearer to the
+// corner than the point is, as told by the barycentric coordinate.
+void PatchPaths::TakeCorners(Id target, const Eigen::Vector3d& position)
+{
+  const Triangle& corners = this->Mesh_.Corners(target);
+  const Eigen::Vector3d normal = this->Mesh_.AreaNormal(target);
+  const double square = normal.squaredNorm();
+  for (int i = 0; i < 3; ++i)
+  {
+    const Eigen::Vector3d p = this->Mesh_.Point(corners[(i + 1) % 3]);
+    const Eigen::Vector3d q = this->Mesh_.Point(corners[(i + 2) % 3]);
+    const double weight = square > 0.0 ? normal.dot((q - p).cross(position - p)) / square : 0.0;
+    const double room = std::min(1.0, std::max(0.0, 1.0 - weight));
+    for (const int side : { i, (i + 2) % 3 })
+    {
+      const Id edge = this->Mesh_.EdgeOf(target, side);
+      const bool fromV0 = this->Mesh_.EdgeAt(edge).v0 == corners[i];
+      Range& range = this->Taken_.insert({ edge, { 1.0, 0.0 } }).first->second;
+      range.least = fromV0 ? std::min(range.least, room) : range.least;
+      range.greatest = fromV0 ? range.greatest : std::max(range.greatest, 1.0 - room);
+    }
+  }
 }
 
 bool PatchPaths::Straight(std::size_t side, const Eigen::Vector3d& from, Id target,

@@ -44,6 +44,7 @@ private:
     double greatest;
   };
 
+  void TakeCorners(Id target, const Eigen::Vector3d& position);
   bool Straight(std::size_t side, const Eigen::Vector3d& from, Id target,
     const Eigen::Vector3d& position, std::vector<EdgeCrossing>& path) const;
   std::vector<std::vector<EdgeCrossing>> OverFewest(
@@ -51,7 +52,7 @@ private:
 
   const TriangleMesh& Mesh_;
   const PatchContour& Contour_;
-  std::unordered_map<Id, Range> Taken_; ///< By edge, of the paths to the point.
+  std::unordered_map<Id, Range> Taken_; ///< By edge, of the point and the paths to it.
   std::vector<int> Depth_;              ///< By side: of paths along the contour at its end.
 };
 

@@ -159,11 +159,11 @@ std::vector<std::size_t> MongeMesh::TrianglesWith(const std::vector<EdgeKey>& ed
       };
       if (std::all_of(edges.begin(), edges.end(), has))
       {
-        triangles.push_back(t);
+        found.push_back(t);
       }
     }
   }
-  return triangles;
+  return found;
 }
 
 std::size_t MongeMesh::RegionAround(const EdgeKey& edge) const

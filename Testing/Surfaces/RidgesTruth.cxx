@@ -11,7 +11,7 @@
 // --noise: standard deviation of a displacement along the normals, in edges.
 // --reference: points of the mesh with exact Monge forms that the true ridges are traced on.
 // --cache: where meshes and true ridges are kept for the next run.
-// --brief: one line.
+// --brief: one line, and one for each failed check of vtkRidgeCoherence.
 //
 // Lengths of positions and distances are in edges of the mesh. A ridge is a whole one (RidgeId).
 
@@ -30,8 +30,10 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkRidgeCoherence.h"
 #include "vtkRidgeExtraction.h"
 #include "vtkSmartPointer.h"
+#include "vtkTable.h"
 #include "vtkUmbilicDetection.h"
 
 #include <Eigen/Geometry>
@@ -229,6 +231,38 @@ FoundPicture PictureOf(vtkPolyData* umbilics, vtkPolyData* ridges, const Eigen::
 }
 
 //------------------------------------------------------------------------------
+// A line per failed check of vtkRidgeCoherence, or one that none failed.
+void PrintFailedChecks(vtkAlgorithm* umbilics, vtkAlgorithm* ridges)
+{
+  vtkNew<vtkRidgeCoherence> coherence;
+  coherence->SetInputConnection(0, umbilics->GetOutputPort(0));
+  coherence->SetInputConnection(1, ridges->GetOutputPort(0));
+  coherence->SetInputConnection(2, umbilics->GetOutputPort(1));
+  coherence->Update();
+  vtkTable* table = coherence->GetOutput();
+  int failed = 0;
+  for (vtkIdType row = 0; row < table->GetNumberOfRows(); ++row)
+  {
+    const auto text = [&](const char* column)
+    { return table->GetValueByName(row, column).ToString(); };
+    if (table->GetValueByName(row, "Passed").ToInt() == 0)
+    {
+      ++failed;
+      const double* x =
+        vtkDataArray::SafeDownCast(table->GetColumnByName("OffenderPosition"))->GetTuple(row);
+      std::printf("failed check: %s, expected %s, found %s; %s %s, the first at (%g, %g, %g)\n",
+        text("Check").c_str(), text("Expected").c_str(), text("Found").c_str(),
+        text("OffenderKind").c_str(), text("Offenders").c_str(), x[0], x[1], x[2]);
+    }
+  }
+  if (failed == 0)
+  {
+    std::printf(
+      "all %lld checks of coherence passed\n", static_cast<long long>(table->GetNumberOfRows()));
+  }
+}
+
+//------------------------------------------------------------------------------
 double Seconds()
 {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
@@ -279,6 +313,7 @@ void Run(const Options& options)
       mesh.PointCount(), static_cast<unsigned long long>(options.seed), options.patchSize,
       options.noise);
     comparison.PrintLine(euler);
+    PrintFailedChecks(umbilics, ridges);
     return;
   }
   std::printf("%s, %zu points, edge %.4g, patch size %g, seed %llu, noise %g edges\n",
@@ -287,6 +322,7 @@ void Run(const Options& options)
   std::printf("seconds: fit %.2f, umbilics %.2f, ridges %.2f\n", fitted - begin, detected - fitted,
     extracted - detected);
   comparison.PrintTables(euler);
+  PrintFailedChecks(umbilics, ridges);
 }
 
 } // namespace

@@ -255,6 +255,14 @@ void AddOutput(CLI::App& app, Options& options)
   group.Flag(
     "--write-mesh", [&](bool on) { options.writeMesh = on; },
     "write PREFIX-mesh.vtp too, the mesh with all that was computed at its points");
+  CLI::Option* check = group.Flag(
+    "--check", [&](bool on) { options.check = on; },
+    "print too whether ridges and umbilics are coherent, check by check, and where they are not");
+  group
+    .Flag(
+      "--strict", [&](bool on) { options.strict = on; },
+      "with --check: exit code 3 if a check fails, once all is written")
+    ->needs(check);
   group.Flag(
     "--no-picture", [&](bool on) { options.noPicture = on; },
     "draw no picture, which takes an X display");
@@ -312,6 +320,10 @@ void Check(const CLI::App& app, const Options& options, const Filters& filters)
   {
     throw Contradiction("--semi-axes are those of --surface ellipsoid");
   }
+  if (options.check && app.count("--extract") + app.count("--crest-only") > 0)
+  {
+    throw Contradiction("--check is about all ridges, without --extract and --crest-only");
+  }
   for (const std::optional<Vector3>& direction : { options.picture.view, options.picture.up })
   {
     if (direction && *direction == Vector3{ 0.0, 0.0, 0.0 })
@@ -359,7 +371,7 @@ std::optional<int> ParseCommandLine(int argc, char** argv, Options& options, Fil
              "maximum is greatest, or the minimum least, along its curvature line.\n"
              "\n"
              "Exit codes: 0 done; 1 the job failed (a file that cannot be read or written, an\n"
-             "error in a filter); 2 wrong usage.\n"
+             "error in a filter); 2 wrong usage; 3 a check failed, with --strict.\n"
              "\n"
              "Examples:\n"
              "  vtkridges scan.ply --minimum-number-of-points 200 --minimum-sharpness 300\n"

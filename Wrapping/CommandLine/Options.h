@@ -7,6 +7,7 @@
 
 #include "vtkJetFitting.h"
 #include "vtkNew.h"
+#include "vtkRidgeCoherence.h"
 #include "vtkRidgeExampleSource.h"
 #include "vtkRidgeExtraction.h"
 #include "vtkRidgeSharpnessFilter.h"
@@ -25,6 +26,7 @@ struct Filters
   vtkNew<vtkJetFitting> jetFitting;
   vtkNew<vtkUmbilicDetection> umbilics;
   vtkNew<vtkRidgeExtraction> ridges;
+  vtkNew<vtkRidgeCoherence> coherence;
   vtkNew<vtkRidgeSharpnessFilter> sharpness;
 };
 
@@ -35,6 +37,8 @@ struct Options
   Mending meshMending;
   std::string output; ///< Path and beginning of the names of the files written.
   bool writeMesh = false;
+  bool check = false;
+  bool strict = false; ///< Whether a failed check is a failure of the program.
   bool noPicture = false;
   PictureOptions picture;
   int threads = 0; ///< 0: all.
@@ -46,7 +50,8 @@ enum ExitCode
 {
   ExitDone = 0,
   ExitJobFailed = 1,
-  ExitMisused = 2
+  ExitMisused = 2,
+  ExitCheckFailed = 3
 };
 
 /// Sets the options and the filters by the command line. Has a value, the exit code, if that is

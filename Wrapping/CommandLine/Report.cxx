@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Report.h"
 
+#include "CheckTable.h"
 #include "Picture.h"
 
 #include "vtkCellArray.h"
@@ -188,6 +189,10 @@ void PrintReport(std::ostream& os, const Results& results,
   PrintMesh(os, results, borderEdges);
   PrintUmbilics(os, results, borderEdges == 0);
   PrintRidges(os, results);
+  if (results.checks)
+  {
+    PrintChecks(os, results.checks);
+  }
   os << "\n";
   std::string text;
   for (const auto& [name, seconds] : durations)

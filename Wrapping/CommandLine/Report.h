@@ -5,6 +5,7 @@
 #include "Console.h"
 
 #include "vtkPolyData.h"
+#include "vtkTable.h"
 
 #include <ostream>
 #include <string>
@@ -21,6 +22,7 @@ struct Results
   vtkPolyData* umbilics; ///< A vertex each.
   vtkPolyData* allRidges;
   vtkPolyData* ridges; ///< Those that the filter kept.
+  vtkTable* checks;    ///< Of all ridges, or null.
 };
 
 /// Prints the table at the end of the job.

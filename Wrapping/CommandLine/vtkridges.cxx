@@ -3,6 +3,7 @@
  * The program vtkridges: a mesh in, its ridges and umbilics out, as files and as a picture.
  */
 
+#include "CheckTable.h"
 #include "Console.h"
 #include "MeshReader.h"
 #include "Options.h"
@@ -102,7 +103,7 @@ void WriteBy(Writer* writer, vtkDataObject* data, const std::string& name)
   }
 }
 
-void Run(const Options& options, Filters& filters)
+ExitCode Run(const Options& options, Filters& filters)
 {
   const OutputFiles files(options.output);
   CheckOutput(options);
@@ -148,9 +149,17 @@ void Run(const Options& options, Filters& filters)
     const std::string& advice = algorithm == filters.jetFitting.Get() ? seeFitting : seeHelp;
     stages.Run(name, advice, algorithm, [algorithm = algorithm] { algorithm->Update(); });
   }
+  if (options.check)
+  {
+    filters.coherence->SetInputConnection(0, filters.umbilics->GetOutputPort(0));
+    filters.coherence->SetInputConnection(1, filters.ridges->GetOutputPort());
+    filters.coherence->SetInputConnection(2, filters.umbilics->GetOutputPort(1));
+    stages.Run("checks", seeHelp, filters.coherence, [&] { filters.coherence->Update(); });
+  }
   const Results results{ options.mesh.empty() ? "example" : options.mesh,
     filters.umbilics->GetOutput(), vtkPolyData::SafeDownCast(filters.umbilics->GetOutput(1)),
-    filters.ridges->GetOutput(), filters.sharpness->GetOutput() };
+    filters.ridges->GetOutput(), filters.sharpness->GetOutput(),
+    options.check ? filters.coherence->GetOutput() : nullptr };
 
   vtkSmartPointer<vtkImageData> picture;
   if (!options.noPicture)
@@ -188,6 +197,14 @@ void Run(const Options& options, Filters& filters)
   {
     PrintReport(std::cout, results, stages.GetDurations(), FilesToWrite(options));
   }
+  const vtkIdType failed = results.checks ? CountFailedChecks(results.checks) : 0;
+  if (options.strict && failed > 0)
+  {
+    std::cerr << "vtkridges: " << failed << (failed == 1 ? " check" : " checks")
+              << " failed : see the table of --check, or leave out --strict\n";
+    return ExitCheckFailed;
+  }
+  return ExitDone;
 }
 
 } // namespace
@@ -202,8 +219,7 @@ int main(int argc, char* argv[])
   }
   try
   {
-    Run(options, filters);
-    return ExitDone;
+    return Run(options, filters);
   }
   catch (const Failure& failure)
   {

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "CheckTable.h"
+
+#include "vtkDataArray.h"
+#include "vtkRidgesArrayNames.h"
+#include "vtkVariant.h"
+
+#include <iomanip>
+#include <string>
+
+namespace names = vtkRidgesArrayNames;
+
+namespace program
+{
+namespace
+{
+
+bool HasFailed(vtkTable* checks, vtkIdType row)
+{
+  return checks->GetValueByName(row, names::Passed).ToInt() == 0;
+}
+
+void PrintCheck(std::ostream& os, vtkTable* checks, vtkIdType row)
+{
+  constexpr int nameWidth = 24;
+  constexpr int sectionWidth = 13;
+  constexpr int resultWidth = 8;
+  const auto text = [&](const char* column)
+  { return std::string(checks->GetValueByName(row, column).ToString()); };
+  const bool applies = checks->GetValueByName(row, names::Applies).ToInt() != 0;
+  const bool failed = HasFailed(checks, row);
+  const char* result = failed ? "failed" : (applies ? "passed" : "-");
+  os << "  " << std::left << std::setw(nameWidth) << text(names::Check) << std::setw(sectionWidth)
+     << text(names::Section) << std::setw(resultWidth) << result
+     << (applies ? text(names::Found) : std::string("does not apply")) << "\n";
+  if (failed)
+  {
+    const std::string indent(2 + nameWidth + sectionWidth + resultWidth, ' ');
+    const double* position =
+      vtkDataArray::SafeDownCast(checks->GetColumnByName(names::OffenderPosition))->GetTuple(row);
+    os << indent << "expected: " << text(names::Expected) << "\n"
+       << indent << text(names::OffenderKind) << " " << text(names::Offenders) << " : at "
+       << position[0] << " " << position[1] << " " << position[2] << "\n";
+  }
+}
+
+} // namespace
+
+void PrintChecks(std::ostream& os, vtkTable* checks)
+{
+  os << "\nchecks                    section      result  found\n";
+  for (vtkIdType row = 0; row < checks->GetNumberOfRows(); ++row)
+  {
+    PrintCheck(os, checks, row);
+  }
+}
+
+vtkIdType CountFailedChecks(vtkTable* checks)
+{
+  vtkIdType count = 0;
+  for (vtkIdType row = 0; row < checks->GetNumberOfRows(); ++row)
+  {
+    count += HasFailed(checks, row) ? 1 : 0;
+  }
+  return count;
+}
+
+} // namespace program
