@@ -85,15 +85,22 @@ public:
 
   ///@{
   /**
-   * Of the umbilics. See vtkUmbilicDetection.
+   * Of the umbilics: how they are found, one of vtkUmbilicDetection::Methods, which of them noise
+   * may have made, and how large their patches are. See vtkUmbilicDetection.
    */
+  vtkRidgesForwardMacro(Umbilics, Method, int);
+  void SetMethodToIndices() { this->SetMethod(vtkUmbilicDetection::INDICES); }
+  void SetMethodToMinima() { this->SetMethod(vtkUmbilicDetection::MINIMA); }
+  vtkRidgesForwardMacro(Umbilics, Significance, double);
   vtkRidgesForwardMacro(Umbilics, PatchSize, double);
   ///@}
 
   ///@{
   /**
-   * Of the ridges: how types are told and crossings placed, one of vtkRidgeExtraction::TypeRules
-   * and vtkRidgeExtraction::CrossingRules, and how sharpness is measured. See vtkRidgeExtraction.
+   * Of the ridges: how types are told, crossings placed and umbilics joined, one of
+   * vtkRidgeExtraction::TypeRules, vtkRidgeExtraction::CrossingRules and
+   * vtkRidgeExtraction::UmbilicJoinings, which loops and types noise may have made, and how
+   * sharpness is measured. See vtkRidgeExtraction.
    */
   vtkRidgesForwardMacro(Ridges, TypeRule, int);
   void SetTypeRuleToFourthOrder() { this->SetTypeRule(vtkRidgeExtraction::FOURTH_ORDER); }
@@ -101,6 +108,11 @@ public:
   vtkRidgesForwardMacro(Ridges, CrossingRule, int);
   void SetCrossingRuleToForm() { this->SetCrossingRule(vtkRidgeExtraction::FORM); }
   void SetCrossingRuleToLinear() { this->SetCrossingRule(vtkRidgeExtraction::LINEAR); }
+  vtkRidgesForwardMacro(Ridges, UmbilicJoining, int);
+  void SetUmbilicJoiningToPatches() { this->SetUmbilicJoining(vtkRidgeExtraction::PATCHES); }
+  void SetUmbilicJoiningToTriangles() { this->SetUmbilicJoining(vtkRidgeExtraction::TRIANGLES); }
+  vtkRidgesForwardMacro(Ridges, LoopSignificance, double);
+  vtkRidgesForwardMacro(Ridges, TypeHysteresis, double);
   vtkRidgesForwardMacro(Ridges, ModelSize, double);
   vtkRidgesForwardMacro(Ridges, UmbilicCutOff, double);
   ///@}

@@ -13,6 +13,7 @@ PROXIES = [
     "UmbilicDetection",
     "RidgeExtraction",
     "RidgeSharpnessFilter",
+    "PrincipalFoliation",
     "RidgesAndUmbilics",
 ]
 

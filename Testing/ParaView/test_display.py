@@ -49,10 +49,24 @@ class TestDisplay(unittest.TestCase):
         jets = simple.JetFitting(Input=simple.RidgeExampleSource(Frequency=16))
         umbilics = simple.UmbilicDetection(Input=jets)
         ridges = simple.RidgeExtraction(Input=umbilics)
-        for proxy, port, array in ((ridges, 0, "RidgeType"), (umbilics, 1, "Index")):
+        lines = simple.PrincipalFoliation(Input=umbilics)
+        for proxy, port, array in (
+            (ridges, 0, "RidgeType"),
+            (umbilics, 1, "Index"),
+            (lines, 0, "PrincipalDirection"),
+        ):
             display = simple.Show(simple.OutputPort(proxy, port), self.view)
             self.assertEqual(display.ColorArrayName[1], array)
             simple.Hide(simple.OutputPort(proxy, port), self.view)
+
+    def test_purple_points_are_balls_of_their_own_color(self):
+        jets = simple.JetFitting(Input=simple.RidgeExampleSource(Frequency=16))
+        ridges = simple.RidgeExtraction(Input=jets, FindPurplePoints=1)
+        display = simple.Show(simple.OutputPort(ridges, 1), self.view)
+        self.assertEqual(display.ColorArrayName[1], "")
+        self.assertEqual(display.RenderPointsAsSpheres, 1)
+        self.assertEqual(max(display.DiffuseColor), display.DiffuseColor[2])
+        simple.Hide(simple.OutputPort(ridges, 1), self.view)
 
     def test_lines_are_thick_and_points_are_balls(self):
         ridges, umbilics, mesh = self.displays

@@ -80,6 +80,45 @@ class TestProxies(unittest.TestCase):
         whole.KeepMaximumElliptic = 0
         self.assertNotIn(1, arrays(fetch(whole))["cell RidgeType"])
 
+    def test_properties_against_noise_reach_the_stages(self):
+        mesh = example()
+        _, umbilics, ridges, selection = chain(mesh)
+        whole = simple.RidgesAndUmbilics(Input=mesh)
+        for stage, name, value in (
+            (umbilics, "Method", "Minima"),
+            (umbilics, "Significance", 10.0),
+            (ridges, "UmbilicJoining", "Triangles"),
+            (ridges, "LoopSignificance", 10.0),
+            (ridges, "TypeHysteresis", 5.0),
+        ):
+            with self.subTest(name):
+                setattr(stage, name, value)
+                setattr(whole, name, value)
+                expected = arrays(fetch(selection))
+                found = arrays(fetch(whole))
+                self.assertEqual(list(found), list(expected))
+                for array, values in expected.items():
+                    np.testing.assert_array_equal(found[array], values, err_msg=array)
+
+    def test_purple_points_are_on_the_second_port(self):
+        _, _, ridges, _ = chain(example(32))
+        self.assertEqual(ridges.SMProxy.GetOutputPortName(1), "PurplePoints")
+        self.assertEqual(fetch(ridges, 1).GetNumberOfPoints(), 0)
+        ridges.FindPurplePoints = 1
+        purple = fetch(ridges, 1)
+        self.assertGreater(purple.GetNumberOfPoints(), 0)
+        types = dict(zip(*(arrays(fetch(ridges))["cell " + n] for n in ("RidgeId", "RidgeType"))))
+        for array, wanted in (("MaximumRidgeId", {1, 2}), ("MinimumRidgeId", {3, 4})):
+            self.assertLessEqual({types[i] for i in arrays(purple)["point " + array]}, wanted)
+
+    def test_curvature_lines(self):
+        _, umbilics, _, _ = chain(example(32))
+        lines = simple.PrincipalFoliation(Input=umbilics, Direction="Both")
+        found = arrays(fetch(lines))["cell PrincipalDirection"]
+        self.assertEqual(set(found), {0, 1})
+        lines.Separation = 0.1
+        self.assertLess(len(arrays(fetch(lines))["cell PrincipalDirection"]), len(found))
+
     def test_polygons_are_triangulated(self):
         plane = simple.Superquadric(ThetaResolution=40, PhiResolution=40, Toroidal=0)
         whole = simple.RidgesAndUmbilics(Input=plane)
@@ -179,6 +218,7 @@ class TestBadInput(unittest.TestCase):
         for name, text in (
             ("UmbilicDetection", "MaximumCurvature, MinimumCurvature"),
             ("RidgeExtraction", "MaximumCurvature, MinimumCurvature"),
+            ("PrincipalFoliation", "MaximumCurvature, MinimumCurvature"),
             ("RidgeSharpnessFilter", "RidgeType"),
         ):
             with self.subTest(name), Messages() as messages:

@@ -11,8 +11,16 @@ import vtkridges
 
 FOLDER = Path(__file__).resolve().parents[2] / "Wrapping" / "ParaView"
 
-# Of the stages of vtkRidgesAndUmbilics: what it fixes, and what its selection of types stands for.
-NOT_FORWARDED = {"SetDegree", "SetMongeOrder", "SetExtractMaximum", "SetExtractMinimum"}
+# Of the stages of vtkRidgesAndUmbilics: what it fixes, what its selection of types stands for, what
+# is for comparison only, and what is about an output that it does not have.
+NOT_FORWARDED = {
+    "SetDegree",
+    "SetMongeOrder",
+    "SetExtractMaximum",
+    "SetExtractMinimum",
+    "SetExtremalityRule",
+    "SetFindPurplePoints",
+}
 
 
 def proxies():
@@ -202,7 +210,11 @@ class TestParaViewProxies(unittest.TestCase):
     def test_presets_are_the_default_colors(self):
         presets = {p["Name"]: p for p in json.loads((FOLDER / "RidgesPresets.json").read_text())}
         tables = json.loads((FOLDER / "RidgesSettings.json").read_text())["array_lookup_tables"]
-        for preset, array in (("Ridge types", "RidgeType"), ("Umbilic index", "Index")):
+        for preset, array in (
+            ("Ridge types", "RidgeType"),
+            ("Umbilic index", "Index"),
+            ("Curvature lines", "PrincipalDirection"),
+        ):
             for key in ("Annotations", "IndexedColors"):
                 self.assertEqual(presets[preset][key], tables[array]["PVLookupTable"][key])
         annotations = presets["Ridge types"]["Annotations"]
