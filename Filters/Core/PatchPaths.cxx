@@ -65,10 +65,10 @@ void PatchPaths::TakeCorners(Id target, const Eigen::Vector3d& position)
     for (const int side : { i, (i + 2) % 3 })
     {
       const Id edge = this->Mesh_.EdgeOf(target, side);
-      const bool fromV0 = this->Mesh_.EdgeAt(edge).v0 == corners[i];
+      const bool fromFirst = OrderedEdge(this->Mesh_, edge).p == corners[i];
       Range& range = this->Taken_.insert({ edge, { 1.0, 0.0 } }).first->second;
-      range.least = fromV0 ? std::min(range.least, room) : range.least;
-      range.greatest = fromV0 ? range.greatest : std::max(range.greatest, 1.0 - room);
+      range.least = fromFirst ? std::min(range.least, room) : range.least;
+      range.greatest = fromFirst ? range.greatest : std::max(range.greatest, 1.0 - room);
     }
   }
 }
@@ -105,12 +105,12 @@ bool PatchPaths::Straight(std::size_t side, const Eigen::Vector3d& from, Id targ
       return false;
     }
     edge = this->Mesh_.EdgeOf(triangle, leavesAfter ? apex : (apex + 2) % 3);
-    const Edge& exit = this->Mesh_.EdgeAt(edge);
-    const double at0 = offset(exit.v0);
-    const double at1 = offset(exit.v1);
+    const OrderedEdge exit(this->Mesh_, edge);
+    const double at0 = offset(exit.p);
+    const double at1 = offset(exit.q);
     const double parameter = std::min(1.0 - margin, std::max(margin, at0 / (at0 - at1)));
     const Eigen::Vector3d point =
-      (1.0 - parameter) * this->Mesh_.Point(exit.v0) + parameter * this->Mesh_.Point(exit.v1);
+      (1.0 - parameter) * this->Mesh_.Point(exit.p) + parameter * this->Mesh_.Point(exit.q);
     const double reached = along.dot(point - from);
     if (reached < passed || reached > whole)
     {
@@ -177,7 +177,8 @@ std::vector<std::vector<EdgeCrossing>> PatchPaths::OverFewest(
     std::vector<std::size_t> leaving = std::move(node.paths[(side + 1) % 3]);
     const auto& last = node.paths[(side + 2) % 3];
     leaving.insert(leaving.end(), last.begin(), last.end());
-    const bool forward = this->Mesh_.EdgeAt(node.edge).v0 == this->Mesh_.Corners(triangle)[side];
+    const bool forward =
+      OrderedEdge(this->Mesh_, node.edge).p == this->Mesh_.Corners(triangle)[side];
     for (std::size_t k = 0; k < leaving.size(); ++k)
     {
       const double fromEnd =
@@ -206,13 +207,13 @@ std::vector<EdgeCrossing> PatchPaths::AlongContour(std::size_t first, std::size_
     for (const Id edge : sides[i].spokes)
     {
       // At most half of what is free: there may be as many paths around the other end.
-      const bool fromV0 = this->Mesh_.EdgeAt(edge).v0 == sides[i].end;
+      const bool fromFirst = OrderedEdge(this->Mesh_, edge).p == sides[i].end;
       const auto taken = this->Taken_.find(edge);
       const double room = taken == this->Taken_.end()
         ? 0.5
-        : std::min(0.5, fromV0 ? taken->second.least : 1.0 - taken->second.greatest);
+        : std::min(0.5, fromFirst ? taken->second.least : 1.0 - taken->second.greatest);
       const double fraction = room * depth / (depth + 1.0);
-      path.push_back({ edge, fromV0 ? fraction : 1.0 - fraction });
+      path.push_back({ edge, fromFirst ? fraction : 1.0 - fraction });
     }
   }
   return path;

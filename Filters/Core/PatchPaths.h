@@ -7,7 +7,8 @@
 namespace ridges
 {
 
-/// Where a path crosses an edge: at a fraction of the way from its smaller point id.
+/// Where a path crosses an edge: at a fraction of the way from that end which comes first by
+/// position.
 struct EdgeCrossing
 {
   Id edge;

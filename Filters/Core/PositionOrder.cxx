@@ -2,6 +2,7 @@
 #include "PositionOrder.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace ridges
 {
@@ -14,6 +15,17 @@ bool ComesBefore(const Eigen::Vector3d& a, const Eigen::Vector3d& b)
 bool ComesBefore(const TriangleMesh& mesh, Id a, Id b)
 {
   return ComesBefore(mesh.Centroid(a), mesh.Centroid(b));
+}
+
+OrderedEdge::OrderedEdge(const TriangleMesh& mesh, Id edge)
+  : p(mesh.EdgeAt(edge).v0)
+  , q(mesh.EdgeAt(edge).v1)
+  , swaps(ComesBefore(mesh.Point(q), mesh.Point(p)))
+{
+  if (this->swaps)
+  {
+    std::swap(this->p, this->q);
+  }
 }
 
 NeighborsByPosition::NeighborsByPosition(const TriangleMesh& mesh, Id triangle)

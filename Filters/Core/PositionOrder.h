@@ -13,6 +13,17 @@ bool ComesBefore(const Eigen::Vector3d& a, const Eigen::Vector3d& b);
 /// The same of two triangles, by their centroids.
 bool ComesBefore(const TriangleMesh& mesh, Id a, Id b);
 
+/// The ends of an edge, that first which comes first by position: what is computed from one end to
+/// the other does not depend on the numbering then.
+struct OrderedEdge
+{
+  OrderedEdge(const TriangleMesh& mesh, Id edge);
+
+  Id p;
+  Id q;
+  bool swaps; ///< Whether p is the larger point id.
+};
+
 /// A side of a triangle and the triangle across it.
 struct NeighborAcross
 {

@@ -2,6 +2,7 @@
 #include "RidgePoint.h"
 
 #include "MongeInterpolation.h"
+#include "PositionOrder.h"
 #include "UmbilicForm.h"
 
 #include <algorithm>
@@ -46,26 +47,6 @@ double FindCrossing(const MongeInterpolation& interpolation, Color color)
   return t;
 }
 
-/// The ends of an edge, that first which comes first in space: what is computed from one end to the
-/// other does not depend on the numbering then.
-struct OrderedEdge
-{
-  OrderedEdge(const TriangleMesh& mesh, Id edge)
-  {
-    const Id v0 = mesh.EdgeAt(edge).v0;
-    const Id v1 = mesh.EdgeAt(edge).v1;
-    const auto x0 = mesh.Point(v0);
-    const auto x1 = mesh.Point(v1);
-    this->swaps = std::lexicographical_compare(x1.data(), x1.data() + 3, x0.data(), x0.data() + 3);
-    this->p = this->swaps ? v1 : v0;
-    this->q = this->swaps ? v0 : v1;
-  }
-
-  Id p;
-  Id q;
-  bool swaps;
-};
-
 RidgePoint Interpolate(const TriangleMesh& mesh, const MongeField& field, Color color,
   const OrderedEdge& ends, const MongeInterpolation& interpolation, double t)
 {
@@ -109,8 +90,7 @@ RidgePoint RidgePointAt(
 {
   const OrderedEdge ends(mesh, edge);
   const MongeInterpolation interpolation(field, ends.p, ends.q);
-  return Interpolate(
-    mesh, field, color, ends, interpolation, ends.swaps ? 1.0 - parameter : parameter);
+  return Interpolate(mesh, field, color, ends, interpolation, parameter);
 }
 
 RidgePoint RidgePointAtUmbilic(const TriangleMesh& mesh, const MongeField& field, Id triangle,
