@@ -119,6 +119,22 @@ class TestProxies(unittest.TestCase):
         lines.Separation = 0.1
         self.assertLess(len(arrays(fetch(lines))["cell PrincipalDirection"]), len(found))
 
+    def test_coherence_is_a_table_with_and_without_umbilics(self):
+        _, umbilics, ridges, _ = chain(example(32))
+        checks = simple.RidgeCoherence(Input=umbilics, Ridges=ridges)
+        without = fetch(checks)
+        checks.Umbilics = simple.OutputPort(umbilics, 1)
+        for table in (without, fetch(checks)):
+            self.assertTrue(table.IsA("vtkTable"))
+            names = table.GetColumnByName("Check")
+            failed = {
+                names.GetValue(row)
+                for row in range(table.GetNumberOfRows())
+                if table.GetColumnByName("Passed").GetValue(row) != 1
+            }
+            self.assertGreater(table.GetNumberOfRows(), 10)
+            self.assertEqual(failed, set())
+
     def test_polygons_are_triangulated(self):
         plane = simple.Superquadric(ThetaResolution=40, PhiResolution=40, Toroidal=0)
         whole = simple.RidgesAndUmbilics(Input=plane)
