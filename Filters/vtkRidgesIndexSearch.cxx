@@ -35,7 +35,8 @@ struct LookAtPoints
   {
     for (auto p = static_cast<ridges::Id>(begin); p < static_cast<ridges::Id>(end); ++p)
     {
-      this->IsTame[p] = this->Index.IsTame(p) ? 1 : 0;
+      const bool tame = ridges::IsGentle(this->Field, this->Errors, p) || this->Index.IsTame(p);
+      this->IsTame[p] = tame ? 1 : 0;
       if (ridges::MayBeWeak(this->Field, this->Errors, this->Significance, p))
       {
         this->GapErrors[p] = ridges::GapError(this->Mesh, this->Errors, p);

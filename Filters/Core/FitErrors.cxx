@@ -85,6 +85,24 @@ double ExtremalityError(
   return FromResiduals<2>(mesh, source, point);
 }
 
+bool IsGentle(const MongeField& field, const FitErrorSource& source, Id point)
+{
+  if (!source.fitResidual || !source.fitScale || !(source.fitScale[point] > 0.0))
+  {
+    return false;
+  }
+  // Slopes at the radius from the second order, and from the third; and the heights left over.
+  constexpr double mostSlope = 0.4;
+  constexpr double mostResidual = 0.01;
+  const double scale = source.fitScale[point];
+  const double second = std::max(std::abs(field.k1[point]), std::abs(field.k2[point]));
+  const double* b = field.ThirdOrder(point);
+  const double third =
+    std::max(std::max(std::abs(b[0]), std::abs(b[1])), std::max(std::abs(b[2]), std::abs(b[3])));
+  return source.fitResidual[point] < mostResidual && second * scale < mostSlope &&
+    third * scale * scale < mostSlope;
+}
+
 bool MayBeWeak(const MongeField& field, const FitErrorSource& source, double significance, Id point)
 {
   if (source.maximumCurvatureError || !source.fitResidual || !source.fitScale)

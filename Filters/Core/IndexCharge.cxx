@@ -87,6 +87,7 @@ std::vector<IndexCharge> ChargesOfUnusable(const TriangleMesh& mesh, const Direc
     }
     const int halfTurns = index.HalfTurns(region);
     std::vector<IndexCharge> candidates;
+    candidates.reserve(region.size());
     for (const Id t : region)
     {
       candidates.push_back({ t, 0 });

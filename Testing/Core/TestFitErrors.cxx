@@ -119,6 +119,28 @@ TEST(MayBeWeak, PassesOverNoTriangleThatIsWeakByItsOwnResiduals)
 }
 
 //------------------------------------------------------------------------------
+TEST(IsGentle, TellsSlopesWithinTheFittingRadius)
+{
+  FieldArrays field(1);
+  const double residual = 1e-3;
+  const double scale = 0.5;
+  FitErrorSource source;
+  EXPECT_FALSE(IsGentle(field.View(), source, 0)); // Nothing is known.
+  source.fitResidual = &residual;
+  source.fitScale = &scale;
+  EXPECT_TRUE(IsGentle(field.View(), source, 0));
+  field.k2[0] = -0.9; // A slope of 0.45.
+  EXPECT_FALSE(IsGentle(field.View(), source, 0));
+  field.k2[0] = 0.0;
+  field.b[2] = 2.0; // A slope of 0.5.
+  EXPECT_FALSE(IsGentle(field.View(), source, 0));
+  field.b[2] = 0.0;
+  const double noise = 0.1;
+  source.fitResidual = &noise;
+  EXPECT_FALSE(IsGentle(field.View(), source, 0));
+}
+
+//------------------------------------------------------------------------------
 TEST(IsWeak, ComparesTheMeanGapWithItsError)
 {
   const MeshedSurface surface(Icosphere(2));
