@@ -42,12 +42,17 @@ namespace
 /// Marks of an earlier vtkUmbilicDetection do not belong to this fit.
 void RemoveUmbilics(vtkPolyData* mesh)
 {
-  mesh->GetCellData()->RemoveArray(names::UmbilicPatch);
+  for (const char* name : { names::UmbilicPatch, names::CancelledUmbilics, names::UmbilicZone })
+  {
+    mesh->GetCellData()->RemoveArray(name);
+  }
   // The field data is still the input's own, which is not ours to change.
   vtkNew<vtkFieldData> field;
   field->ShallowCopy(mesh->GetFieldData());
-  for (const char* name : { names::UmbilicPosition, names::UmbilicIndex, names::UmbilicRidgeCount,
-         names::UmbilicIndexSum, names::EulerCharacteristic })
+  for (const char* name :
+    { names::UmbilicPosition, names::UmbilicIndex, names::UmbilicRidgeCount, names::UmbilicTriangle,
+      names::UmbilicIndexSum, names::EulerCharacteristic, names::NumberOfCancelledRegions,
+      names::NumberOfUmbilicZones })
   {
     field->RemoveArray(name);
   }
