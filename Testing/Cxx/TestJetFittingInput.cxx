@@ -110,6 +110,16 @@ TEST(JetFittingInput, IsNotModified)
   EXPECT_EQ(Value(outputs.marked->GetCellData(), "Own", 0), 7.0);
 }
 
+TEST(JetFittingInput, MarksOfAnEarlierUmbilicDetectionAreNotHandedOn)
+{
+  const Outputs first = RunFilters(EllipsoidData(6));
+  ASSERT_GT(first.marked->GetFieldData()->GetNumberOfArrays(), 0);
+  ASSERT_GT(first.marked->GetCellData()->GetNumberOfArrays(), 0);
+  const Outputs again = RunFilters(first.marked);
+  EXPECT_EQ(again.fitted->GetFieldData()->GetNumberOfArrays(), 0);
+  EXPECT_EQ(again.fitted->GetCellData()->GetNumberOfArrays(), 0);
+}
+
 // Float coordinates move the points by 6e-8 of their size: b, a third difference over the edge
 // length h = 0.11, changes by 6e-8 / h^3 times a factor of some tens.
 TEST(JetFittingInput, FloatPointsGiveNearlyTheSameAsDoublePoints)

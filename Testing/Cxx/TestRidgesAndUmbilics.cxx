@@ -130,7 +130,8 @@ TEST(RidgesAndUmbilics, LeavesTheInputAsItIs)
 // KeepUndecided and ModelSize, MinimumLength and the like, which need a value that bites.
 TEST(RidgesAndUmbilics, ForwardsEveryProperty)
 {
-  const auto mesh = BlendData(16);
+  const Mesh even = ToMesh(BlendData(16));
+  const auto mesh = ToPolyData(AddNormalNoise(even, 0.004 * MeanEdgeLength(even), 1));
   Chain defaults(mesh);
   const std::vector<std::string> unchanged = defaults.Bytes();
   const auto expect = [&](const char* name, const auto& setStage, const auto& setFilter)
@@ -156,9 +157,14 @@ TEST(RidgesAndUmbilics, ForwardsEveryProperty)
   EXPECT_FORWARDED(jets, MinimumNumberOfPoints, 40);
   EXPECT_FORWARDED(jets, Weighting, vtkJetFitting::GAUSSIAN);
   EXPECT_FORWARDED(jets, StandardErrors, true);
+  EXPECT_FORWARDED(umbilics, Method, vtkUmbilicDetection::MINIMA);
+  EXPECT_FORWARDED(umbilics, Significance, 100.0);
   EXPECT_FORWARDED(umbilics, PatchSize, 4.0);
   EXPECT_FORWARDED(ridges, TypeRule, vtkRidgeExtraction::THIRD_ORDER);
   EXPECT_FORWARDED(ridges, CrossingRule, vtkRidgeExtraction::LINEAR);
+  EXPECT_FORWARDED(ridges, UmbilicJoining, vtkRidgeExtraction::TRIANGLES);
+  EXPECT_FORWARDED(ridges, LoopSignificance, 100.0);
+  EXPECT_FORWARDED(ridges, TypeHysteresis, 10.0);
   EXPECT_FORWARDED(ridges, ModelSize, 3.0);
   EXPECT_FORWARDED(ridges, UmbilicCutOff, 0.1);
   EXPECT_FORWARDED(selection, MinimumSharpness, 10.0);
@@ -209,7 +215,12 @@ TEST(RidgesAndUmbilics, HasTheDefaultsOfItsStages)
   const Chain chain(EllipsoidData(2));
   EXPECT_EQ(filter->GetNeighborhood(), chain.jets->GetNeighborhood());
   EXPECT_EQ(filter->GetMinimumNumberOfPoints(), chain.jets->GetMinimumNumberOfPoints());
+  EXPECT_EQ(filter->GetMethod(), chain.umbilics->GetMethod());
+  EXPECT_EQ(filter->GetSignificance(), chain.umbilics->GetSignificance());
   EXPECT_EQ(filter->GetPatchSize(), chain.umbilics->GetPatchSize());
+  EXPECT_EQ(filter->GetUmbilicJoining(), chain.ridges->GetUmbilicJoining());
+  EXPECT_EQ(filter->GetLoopSignificance(), chain.ridges->GetLoopSignificance());
+  EXPECT_EQ(filter->GetTypeHysteresis(), chain.ridges->GetTypeHysteresis());
   EXPECT_EQ(filter->GetUmbilicCutOff(), chain.ridges->GetUmbilicCutOff());
   EXPECT_EQ(filter->GetMinimumSharpness(), chain.selection->GetMinimumSharpness());
 }
