@@ -49,10 +49,9 @@ void RemoveUmbilics(vtkPolyData* mesh)
   // The field data is still the input's own, which is not ours to change.
   vtkNew<vtkFieldData> field;
   field->ShallowCopy(mesh->GetFieldData());
-  for (const char* name :
-    { names::UmbilicPosition, names::UmbilicIndex, names::UmbilicRidgeCount, names::UmbilicTriangle,
-      names::UmbilicIndexSum, names::EulerCharacteristic, names::NumberOfCancelledRegions,
-      names::NumberOfUmbilicZones })
+  for (const char* name : { names::UmbilicPosition, names::UmbilicIndex, names::UmbilicRidgeCount,
+         names::UmbilicTriangle, names::UmbilicIndexSum, names::EulerCharacteristic,
+         names::NumberOfCancelledRegions, names::NumberOfUmbilicZones })
   {
     field->RemoveArray(name);
   }

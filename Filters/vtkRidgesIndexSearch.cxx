@@ -19,15 +19,15 @@ namespace
 /// What is asked of every point first: whether it is tame, and the error of k1 - k2.
 struct LookAtPoints
 {
-  LookAtPoints(const ridges::TriangleMesh& mesh, const ridges::MongeField& field,
-    const ridges::DirectionIndex& index, const ridges::FitErrorSource& errors, double significance)
-    : Mesh(mesh)
-    , Field(field)
-    , Index(index)
-    , Errors(errors)
-    , Significance(significance)
-    , IsTame(mesh.NumberOfPoints(), 0)
-    , GapErrors(mesh.NumberOfPoints(), 0.0)
+  LookAtPoints(const ridges::TriangleMesh& triangles, const ridges::MongeField& monge,
+    const ridges::DirectionIndex& indices, const ridges::FitErrorSource& source, double level)
+    : mesh(triangles)
+    , field(monge)
+    , index(indices)
+    , errors(source)
+    , significance(level)
+    , isTame(triangles.NumberOfPoints(), 0)
+    , gapErrors(triangles.NumberOfPoints(), 0.0)
   {
   }
 
@@ -35,33 +35,33 @@ struct LookAtPoints
   {
     for (auto p = static_cast<ridges::Id>(begin); p < static_cast<ridges::Id>(end); ++p)
     {
-      const bool tame = ridges::IsGentle(this->Field, this->Errors, p) || this->Index.IsTame(p);
-      this->IsTame[p] = tame ? 1 : 0;
-      if (ridges::MayBeWeak(this->Field, this->Errors, this->Significance, p))
+      const bool tame = ridges::IsGentle(this->field, this->errors, p) || this->index.IsTame(p);
+      this->isTame[p] = tame ? 1 : 0;
+      if (ridges::MayBeWeak(this->field, this->errors, this->significance, p))
       {
-        this->GapErrors[p] = ridges::GapError(this->Mesh, this->Errors, p);
+        this->gapErrors[p] = ridges::GapError(this->mesh, this->errors, p);
       }
     }
   }
 
-  const ridges::TriangleMesh& Mesh;
-  const ridges::MongeField& Field;
-  const ridges::DirectionIndex& Index;
-  const ridges::FitErrorSource& Errors;
-  double Significance;
-  std::vector<std::uint8_t> IsTame;
-  std::vector<double> GapErrors;
+  const ridges::TriangleMesh& mesh;
+  const ridges::MongeField& field;
+  const ridges::DirectionIndex& index;
+  const ridges::FitErrorSource& errors;
+  double significance;
+  std::vector<std::uint8_t> isTame;
+  std::vector<double> gapErrors;
 };
 
 /// The index of every triangle that has directions, and whether it is weak.
 struct LookAtTriangles
 {
-  LookAtTriangles(const ridges::MongeField& field, const LookAtPoints& points, double significance)
-    : Field(field)
-    , Points(points)
-    , Significance(significance)
-    , HalfTurns(points.Mesh.NumberOfTriangles(), 0)
-    , IsWeak(points.Mesh.NumberOfTriangles(), 0)
+  LookAtTriangles(const ridges::MongeField& monge, const LookAtPoints& ofPoints, double level)
+    : field(monge)
+    , points(ofPoints)
+    , significance(level)
+    , halfTurns(ofPoints.mesh.NumberOfTriangles(), 0)
+    , isWeak(ofPoints.mesh.NumberOfTriangles(), 0)
   {
   }
 
@@ -69,14 +69,14 @@ struct LookAtTriangles
   {
     for (auto t = static_cast<ridges::Id>(begin); t < static_cast<ridges::Id>(end); ++t)
     {
-      if (!this->Points.Index.IsUsable(t))
+      if (!this->points.index.IsUsable(t))
       {
         continue;
       }
-      const bool looks = this->All || this->Points.Index.MayTurn(t, this->Points.IsTame);
-      this->HalfTurns[t] = static_cast<std::int8_t>(looks ? this->Points.Index.HalfTurns(t) : 0);
-      this->IsWeak[t] = ridges::IsWeak(this->Points.Mesh, this->Field,
-                          this->Points.GapErrors.data(), this->Significance, t)
+      const bool looks = this->all || this->points.index.MayTurn(t, this->points.isTame);
+      this->halfTurns[t] = static_cast<std::int8_t>(looks ? this->points.index.HalfTurns(t) : 0);
+      this->isWeak[t] = ridges::IsWeak(this->points.mesh, this->field,
+                          this->points.gapErrors.data(), this->significance, t)
         ? 1
         : 0;
     }
@@ -85,24 +85,24 @@ struct LookAtTriangles
   std::vector<ridges::IndexCharge> Collect() const
   {
     std::vector<ridges::IndexCharge> charges;
-    for (ridges::Id t = 0; t < this->Points.Mesh.NumberOfTriangles(); ++t)
+    for (ridges::Id t = 0; t < this->points.mesh.NumberOfTriangles(); ++t)
     {
-      if (this->HalfTurns[t] != 0)
+      if (this->halfTurns[t] != 0)
       {
-        charges.push_back({ t, this->HalfTurns[t] });
+        charges.push_back({ t, this->halfTurns[t] });
       }
     }
-    const auto more = ridges::ChargesOfUnusable(this->Points.Mesh, this->Points.Index);
+    const auto more = ridges::ChargesOfUnusable(this->points.mesh, this->points.index);
     charges.insert(charges.end(), more.begin(), more.end());
     return charges;
   }
 
-  const ridges::MongeField& Field;
-  const LookAtPoints& Points;
-  double Significance;
-  bool All = false; ///< Whether to trust no cheap test.
-  std::vector<std::int8_t> HalfTurns;
-  std::vector<std::uint8_t> IsWeak;
+  const ridges::MongeField& field;
+  const LookAtPoints& points;
+  double significance;
+  bool all = false; ///< Whether to trust no cheap test.
+  std::vector<std::int8_t> halfTurns;
+  std::vector<std::uint8_t> isWeak;
 };
 
 } // namespace
@@ -122,7 +122,7 @@ bool vtkRidgesIndexSearch::Run(vtkAlgorithm* filter, bool all, double from, doub
   const ridges::FitErrorSource errors = vtkRidgesFetchFitErrors(this->Monge.mesh.GetPolyData());
   LookAtPoints points(this->Mesh, field, index, errors, this->Significance);
   LookAtTriangles triangles(field, points, this->Significance);
-  triangles.All = all;
+  triangles.all = all;
   const double middle = 0.5 * (from + to);
   if (!vtkRidgesForBatches(filter, this->Mesh.NumberOfPoints(), from, middle, points) ||
     !vtkRidgesForBatches(filter, this->Mesh.NumberOfTriangles(), middle, to, triangles))
@@ -130,7 +130,7 @@ bool vtkRidgesIndexSearch::Run(vtkAlgorithm* filter, bool all, double from, doub
     return false;
   }
   this->Charges = triangles.Collect();
-  this->IsWeak = std::move(triangles.IsWeak);
+  this->IsWeak = std::move(triangles.isWeak);
   return true;
 }
 
@@ -147,8 +147,8 @@ int vtkRidgesIndexSearch::HalfTurns() const
 void vtkRidgesIndexSearch::Gather(double patchSize, vtkRidgesUmbilicOutput& found)
 {
   ridges::SpreadLargeCharges(this->Mesh, this->Charges);
-  ridges::UmbilicGathering gathering(this->Mesh, this->Monge.arrays.GetField(),
-    std::move(this->Charges), this->IsWeak, this->Monge.arrays.GetUsable().data());
+  ridges::UmbilicGathering gathering(this->Mesh, this->Monge.arrays.GetField(), this->Charges,
+    this->IsWeak, this->Monge.arrays.GetUsable().data());
   found.umbilics = gathering.Umbilics(patchSize);
   found.cancelled = gathering.CancelledRegions();
   found.zones = ridges::WeakZones(this->Mesh, this->IsWeak);

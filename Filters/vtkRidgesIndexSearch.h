@@ -9,7 +9,7 @@
 
 class vtkAlgorithm;
 class vtkRidgesMongeInput;
-struct vtkRidgesUmbilicOutput;
+class vtkRidgesUmbilicOutput;
 
 /**
  * Finds umbilics from the index of every triangle, private to the module. What it is given has to

@@ -12,8 +12,9 @@ class vtkRidgesMesh;
 /**
  * What vtkUmbilicDetection has found, and the arrays that tell it, private to the module.
  */
-struct vtkRidgesUmbilicOutput
+class vtkRidgesUmbilicOutput
 {
+public:
   std::vector<ridges::Umbilic> umbilics;
 
   /// Outside all patches, triangles where umbilics have cancelled each other.

@@ -77,7 +77,7 @@
 #include "vtkPolyDataAlgorithm.h"
 
 class vtkRidgesMongeInput;
-struct vtkRidgesUmbilicOutput;
+class vtkRidgesUmbilicOutput;
 
 class VTKFILTERSRIDGES_EXPORT vtkUmbilicDetection : public vtkPolyDataAlgorithm
 {

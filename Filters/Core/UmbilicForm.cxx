@@ -59,7 +59,7 @@ Eigen::Matrix<double, 2, 3> TracelessForms(
 
 Eigen::Vector3d UmbilicWeights(const TriangleMesh& mesh, const MongeField& field, Id triangle)
 {
-  const Eigen::Vector3d centroid = Eigen::Vector3d::Constant(1.0 / 3.0);
+  Eigen::Vector3d centroid = Eigen::Vector3d::Constant(1.0 / 3.0);
   const auto forms = TracelessForms(mesh, field, CornersInOrder(mesh, triangle));
   const double magnitude = forms.cwiseAbs().maxCoeff();
   if (!(magnitude > 0.0) || !std::isfinite(magnitude))

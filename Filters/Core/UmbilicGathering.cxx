@@ -12,7 +12,7 @@ namespace ridges
 {
 
 UmbilicGathering::UmbilicGathering(const TriangleMesh& mesh, const MongeField& field,
-  std::vector<IndexCharge> charges, const std::vector<std::uint8_t>& isWeak,
+  const std::vector<IndexCharge>& charges, const std::vector<std::uint8_t>& isWeak,
   const std::uint8_t* usable)
   : Mesh_(mesh)
   , Field_(field)
@@ -51,6 +51,7 @@ std::vector<double> UmbilicGathering::HalfWaysToNext() const
 {
   const std::vector<IndexCharge>& kept = this->Cancellation_.kept;
   std::vector<Eigen::Vector3d> centers;
+  centers.reserve(kept.size());
   for (const IndexCharge& charge : kept)
   {
     centers.push_back(this->Mesh_.Centroid(charge.triangle));

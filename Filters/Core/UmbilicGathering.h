@@ -26,7 +26,7 @@ public:
   /// `charges` are all triangles with an index, as SpreadLargeCharges leaves them. `usable` tells
   /// the points that have directions, one flag for each; null means all.
   UmbilicGathering(const TriangleMesh& mesh, const MongeField& field,
-    std::vector<IndexCharge> charges, const std::vector<std::uint8_t>& isWeak,
+    const std::vector<IndexCharge>& charges, const std::vector<std::uint8_t>& isWeak,
     const std::uint8_t* usable = nullptr);
 
   /// Umbilics in the order of x, then y, then z of their triangles; those that stand for triangles
