@@ -3,6 +3,8 @@
 
 #include "PatchPaths.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <limits>
 
@@ -90,10 +92,29 @@ PatchRidges::Joints PatchRidges::Join(const RidgePatch& patch, const PatchContou
   constexpr double preference = 0.25;
   const auto position = [&](Id i) -> const Eigen::Vector3d&
   { return this->Crossings_.PointOn(contour.Sides()[crossings[i].side].edge).position; };
+  // Two on sides of the umbilic's own triangle are joined straight through it: not where that
+  // would cut the umbilic off from the others.
+  const auto cutsOff = [&](Id i, Id j)
+  {
+    const PatchContour::Side& a = contour.Sides()[crossings[i].side];
+    const PatchContour::Side& b = contour.Sides()[crossings[j].side];
+    if (a.triangle != patch.umbilic || b.triangle != patch.umbilic || a.edge == b.edge)
+    {
+      return false;
+    }
+    const TriangleMesh& mesh = this->Crossings_.Mesh();
+    const Edge& first = mesh.EdgeAt(a.edge);
+    const Edge& second = mesh.EdgeAt(b.edge);
+    const Id corner = first.v0 == second.v0 || first.v0 == second.v1 ? first.v0 : first.v1;
+    const Eigen::Vector3d across = mesh.AreaNormal(patch.umbilic).cross(position(j) - position(i));
+    return across.dot(mesh.Point(corner) - position(i)) * across.dot(patch.position - position(i)) >
+      0.0;
+  };
   const auto cost = [&](Id i, Id j)
   {
     const double distance = (position(i) - position(j)).norm();
-    return crossings[i].partner == j ? preference * distance : distance;
+    const double preferred = crossings[i].partner == j ? preference * distance : distance;
+    return cutsOff(i, j) ? std::numeric_limits<double>::max() : preferred;
   };
 
   std::vector<Id> left(crossings.size());
@@ -117,7 +138,7 @@ PatchRidges::Joints PatchRidges::Join(const RidgePatch& patch, const PatchContou
       const std::size_t count = contour.Sides().size();
       const std::size_t steps = (crossings[to].side + count - crossings[from].side) % count;
       const double value = cost(from, to);
-      if (value < least || (value == least && steps < fewest))
+      if (i == 0 || value < least || (value == least && steps < fewest))
       {
         least = value;
         fewest = steps;
