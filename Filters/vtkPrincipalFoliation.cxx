@@ -35,16 +35,6 @@ namespace
 /// the least distance between lines.
 constexpr double ClosingFraction = 0.25;
 
-double MeanEdgeLength(const ridges::TriangleMesh& mesh)
-{
-  double sum = 0.0;
-  for (ridges::Id e = 0; e < mesh.NumberOfEdges(); ++e)
-  {
-    sum += (mesh.Point(mesh.EdgeAt(e).v1) - mesh.Point(mesh.EdgeAt(e).v0)).norm();
-  }
-  return mesh.NumberOfEdges() > 0 ? sum / mesh.NumberOfEdges() : 0.0;
-}
-
 /// To 30 bits: what the numbering of the points changes by round-off is not to move the lines.
 double Rounded(double value)
 {
@@ -161,7 +151,7 @@ int vtkPrincipalFoliation::RequestData(
   rule.maximumLength = this->MaximumLength > 0.0 ? this->MaximumLength * modelSize
                                                  : std::numeric_limits<double>::infinity();
   rule.step = this->StepSize * rule.separation;
-  rule.closingDistance = ClosingFraction * std::min(MeanEdgeLength(triangles), rule.leastDistance);
+  rule.closingDistance = ClosingFraction * std::min(triangles.MeanEdgeLength(), rule.leastDistance);
   std::vector<std::uint8_t> closed;
   if (this->StopAtUmbilicPatches)
   {

@@ -38,21 +38,6 @@ static_assert(
 namespace
 {
 
-/// Radius of the smallest sphere around all points that a triangle has.
-double EnclosingRadius(const ridges::TriangleMesh& mesh)
-{
-  Eigen::Matrix3Xd points(3, mesh.NumberOfPoints());
-  Eigen::Index used = 0;
-  for (ridges::Id p = 0; p < mesh.NumberOfPoints(); ++p)
-  {
-    if (mesh.TrianglesAround(p).size() > 0)
-    {
-      points.col(used++) = mesh.Point(p);
-    }
-  }
-  return ridges::SmallestEnclosingSphere(points.leftCols(used)).radius;
-}
-
 /// The umbilics marked on the mesh, or else those of all singular triangles.
 std::vector<Eigen::Vector3d> UmbilicPositions(const vtkRidgesUmbilicMarks& umbilics,
   const ridges::TriangleMesh& mesh, const ridges::MongeField& field)
@@ -100,16 +85,6 @@ void StorePurplePoints(const vtkRidgesMesh& mesh, const std::vector<ridges::Purp
   output->GetPointData()->AddArray(triangle);
 }
 
-double MeanEdgeLength(const ridges::TriangleMesh& mesh)
-{
-  double sum = 0.0;
-  for (ridges::Id e = 0; e < mesh.NumberOfEdges(); ++e)
-  {
-    sum += (mesh.Point(mesh.EdgeAt(e).v0) - mesh.Point(mesh.EdgeAt(e).v1)).norm();
-  }
-  return mesh.NumberOfEdges() > 0 ? sum / mesh.NumberOfEdges() : 0.0;
-}
-
 } // namespace
 
 vtkRidgeExtraction::vtkRidgeExtraction()
@@ -133,7 +108,8 @@ int vtkRidgeExtraction::RequestData(
   const ridges::MongeField& field = monge.arrays.GetField();
   this->UpdateProgress(0.1);
 
-  const double modelSize = this->ModelSize > 0.0 ? this->ModelSize : EnclosingRadius(triangles);
+  const double modelSize =
+    this->ModelSize > 0.0 ? this->ModelSize : ridges::SmallestEnclosingSphere(triangles).radius;
   const vtkRidgesUmbilicMarks umbilics(mesh);
   const ridges::UmbilicCutOff cutOff(
     UmbilicPositions(umbilics, triangles, field), this->UmbilicCutOff * modelSize);
@@ -147,7 +123,7 @@ int vtkRidgeExtraction::RequestData(
   search.SetUsePatches(this->UmbilicJoining == PATCHES && this->ExtremalityRule == PRINCIPAL);
   search.SetLoopSignificance(this->LoopSignificance);
   search.SetShortestRun(
-    this->TypeHysteresis > 0.0 ? this->TypeHysteresis * MeanEdgeLength(triangles) : 0.0);
+    this->TypeHysteresis > 0.0 ? this->TypeHysteresis * triangles.MeanEdgeLength() : 0.0);
   vtkRidgesPolylines lines(mesh, umbilics, cutOff, modelSize);
   lines.SetCrestOnly(this->CrestOnly);
 

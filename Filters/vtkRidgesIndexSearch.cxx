@@ -11,6 +11,7 @@
 
 #include "vtkPolyData.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace
@@ -113,12 +114,16 @@ vtkRidgesIndexSearch::vtkRidgesIndexSearch(
   , Monge(monge)
   , Significance(significance)
 {
+  // With none to be left out, no triangle has to be asked for its points.
+  const std::vector<std::uint8_t>& usable = monge.arrays.GetUsable();
+  const bool all = std::find(usable.begin(), usable.end(), 0) == usable.end();
+  this->Usable = all ? nullptr : usable.data();
 }
 
 bool vtkRidgesIndexSearch::Run(vtkAlgorithm* filter, bool all, double from, double to)
 {
   const ridges::MongeField& field = this->Monge.arrays.GetField();
-  const ridges::DirectionIndex index(this->Mesh, field, this->Monge.arrays.GetUsable().data());
+  const ridges::DirectionIndex index(this->Mesh, field, this->Usable);
   const ridges::FitErrorSource errors = vtkRidgesFetchFitErrors(this->Monge.mesh.GetPolyData());
   LookAtPoints points(this->Mesh, field, index, errors, this->Significance);
   LookAtTriangles triangles(field, points, this->Significance);
@@ -136,19 +141,14 @@ bool vtkRidgesIndexSearch::Run(vtkAlgorithm* filter, bool all, double from, doub
 
 int vtkRidgesIndexSearch::HalfTurns() const
 {
-  int sum = 0;
-  for (const ridges::IndexCharge& charge : this->Charges)
-  {
-    sum += charge.halfTurns;
-  }
-  return sum;
+  return ridges::SumOf(this->Charges);
 }
 
 void vtkRidgesIndexSearch::Gather(double patchSize, vtkRidgesUmbilicOutput& found)
 {
   ridges::SpreadLargeCharges(this->Mesh, this->Charges);
-  ridges::UmbilicGathering gathering(this->Mesh, this->Monge.arrays.GetField(), this->Charges,
-    this->IsWeak, this->Monge.arrays.GetUsable().data());
+  ridges::UmbilicGathering gathering(
+    this->Mesh, this->Monge.arrays.GetField(), this->Charges, this->IsWeak, this->Usable);
   found.umbilics = gathering.Umbilics(patchSize);
   found.cancelled = gathering.CancelledRegions();
   found.zones = ridges::WeakZones(this->Mesh, this->IsWeak);

@@ -35,6 +35,7 @@ public:
 private:
   const ridges::TriangleMesh& Mesh;
   const vtkRidgesMongeInput& Monge;
+  const std::uint8_t* Usable = nullptr; ///< Null if all points are.
   double Significance;
   std::vector<ridges::IndexCharge> Charges;
   std::vector<std::uint8_t> IsWeak;

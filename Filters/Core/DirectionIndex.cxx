@@ -38,11 +38,10 @@ DirectionIndex::DirectionIndex(
 {
 }
 
-bool DirectionIndex::IsUsable(Id triangle) const
+bool AreUsable(const Triangle& corners, const std::uint8_t* usable)
 {
-  const Triangle& corners = this->Mesh_.Corners(triangle);
-  return !this->Usable_ ||
-    std::all_of(corners.begin(), corners.end(), [this](Id p) { return this->Usable_[p] != 0; });
+  return !usable ||
+    std::all_of(corners.begin(), corners.end(), [usable](Id p) { return usable[p] != 0; });
 }
 
 bool DirectionIndex::IsTame(Id point) const
@@ -81,33 +80,32 @@ bool DirectionIndex::MayTurn(Id triangle, const std::vector<std::uint8_t>& isTam
   return singular;
 }
 
-Id DirectionIndex::NextInFan(Id triangle, int corner, int& cornerOfNext) const
+Id DirectionIndex::AcrossInFan(Id triangle, int corner, int side, int& cornerOfNeighbor) const
 {
   const Triangle& corners = this->Mesh_.Corners(triangle);
-  const Id next = this->Mesh_.Neighbor(triangle, (corner + 2) % 3);
-  if (next < 0)
+  const Id neighbor = this->Mesh_.Neighbor(triangle, side);
+  if (neighbor < 0)
   {
-    return next;
+    return neighbor;
   }
-  cornerOfNext = CornerOf(this->Mesh_.Corners(next), corners[corner]);
-  // Where the orientation changes a fan ends, as it does on the border.
+  // Where the orientation changes a fan ends, as it does on the border: the point at the other end
+  // of the side comes before this one there if it comes after it here.
+  const Triangle& others = this->Mesh_.Corners(neighbor);
+  cornerOfNeighbor = CornerOf(others, corners[corner]);
+  const int toOtherEnd = side == corner ? 1 : 2;
   const bool sameSense =
-    this->Mesh_.Corners(next)[(cornerOfNext + 1) % 3] == corners[(corner + 2) % 3];
-  return sameSense ? next : TriangleMesh::Border;
+    others[(cornerOfNeighbor + 3 - toOtherEnd) % 3] == corners[(corner + toOtherEnd) % 3];
+  return sameSense ? neighbor : TriangleMesh::Border;
+}
+
+Id DirectionIndex::NextInFan(Id triangle, int corner, int& cornerOfNext) const
+{
+  return this->AcrossInFan(triangle, corner, (corner + 2) % 3, cornerOfNext);
 }
 
 Id DirectionIndex::PreviousInFan(Id triangle, int corner, int& cornerOfPrevious) const
 {
-  const Triangle& corners = this->Mesh_.Corners(triangle);
-  const Id previous = this->Mesh_.Neighbor(triangle, corner);
-  if (previous < 0)
-  {
-    return previous;
-  }
-  cornerOfPrevious = CornerOf(this->Mesh_.Corners(previous), corners[corner]);
-  const bool sameSense =
-    this->Mesh_.Corners(previous)[(cornerOfPrevious + 2) % 3] == corners[(corner + 1) % 3];
-  return sameSense ? previous : TriangleMesh::Border;
+  return this->AcrossInFan(triangle, corner, corner, cornerOfPrevious);
 }
 
 double DirectionIndex::Angle(Id triangle, int corner) const

@@ -9,6 +9,9 @@
 namespace ridges
 {
 
+/// Whether all three corners have directions, by a flag for each point; null means all have.
+bool AreUsable(const Triangle& corners, const std::uint8_t* usable);
+
 /**
  * The index of the principal directions around triangles: a number of half turns that, summed over
  * a closed oriented surface, is twice its Euler characteristic. Not nearly: on any mesh and with
@@ -30,7 +33,10 @@ public:
   /// `usable` tells the points that have directions, one flag for each; null means all.
   DirectionIndex(const TriangleMesh& mesh, const MongeField& field, const std::uint8_t* usable);
 
-  bool IsUsable(Id triangle) const;
+  bool IsUsable(Id triangle) const
+  {
+    return AreUsable(this->Mesh_.Corners(triangle), this->Usable_);
+  }
 
   /**
    * Whether the normal at the point agrees with all triangles around it within 60 degrees, so that
@@ -64,6 +70,7 @@ private:
 
   Fan FanAt(Id triangle, int corner) const;
   Fans FansAt(Id triangle) const;
+  Id AcrossInFan(Id triangle, int corner, int side, int& cornerOfNeighbor) const;
   Id NextInFan(Id triangle, int corner, int& cornerOfNext) const;
   Id PreviousInFan(Id triangle, int corner, int& cornerOfPrevious) const;
   double Angle(Id triangle, int corner) const;

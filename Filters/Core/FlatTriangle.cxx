@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "FlatTriangle.h"
 
+#include "PositionOrder.h"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -16,12 +18,7 @@ std::array<int, 3> OrderOfCorners(const TriangleMesh& mesh, const Triangle& corn
 {
   std::array<int, 3> order = { 0, 1, 2 };
   std::sort(order.begin(), order.end(),
-    [&](int i, int j)
-    {
-      const double* p = mesh.Point(corners[i]).data();
-      const double* q = mesh.Point(corners[j]).data();
-      return std::lexicographical_compare(p, p + 3, q, q + 3);
-    });
+    [&](int i, int j) { return ComesBefore(mesh.Point(corners[i]), mesh.Point(corners[j])); });
   return order;
 }
 

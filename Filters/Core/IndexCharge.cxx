@@ -6,10 +6,17 @@
 #include <algorithm>
 #include <cstdlib>
 #include <iterator>
+#include <numeric>
 #include <unordered_map>
 
 namespace ridges
 {
+
+int SumOf(const std::vector<IndexCharge>& charges)
+{
+  return std::accumulate(charges.begin(), charges.end(), 0,
+    [](int sum, const IndexCharge& charge) { return sum + charge.halfTurns; });
+}
 
 void SortByPosition(const TriangleMesh& mesh, std::vector<IndexCharge>& charges)
 {

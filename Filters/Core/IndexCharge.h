@@ -14,6 +14,9 @@ struct IndexCharge
   int halfTurns; ///< Twice the index, not 0.
 };
 
+/// All half turns together.
+int SumOf(const std::vector<IndexCharge>& charges);
+
 /// By x, then y, then z of the triangles: an order that the numbering has no part in.
 void SortByPosition(const TriangleMesh& mesh, std::vector<IndexCharge>& charges);
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PrincipalFoliation.h"
 
+#include "PositionOrder.h"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -72,8 +74,7 @@ bool PrincipalFoliation::Seed::operator<(const Seed& other) const
   {
     return this->gap > other.gap;
   }
-  return std::lexicographical_compare(this->position.data(), this->position.data() + 3,
-    other.position.data(), other.position.data() + 3);
+  return ComesBefore(this->position, other.position);
 }
 
 PrincipalFoliation::PrincipalFoliation(const TriangleMesh& mesh, const MongeField& field,

@@ -249,6 +249,16 @@ Eigen::Vector3d TriangleMesh::PointNormal(Id p) const
   return normal;
 }
 
+double TriangleMesh::MeanEdgeLength() const
+{
+  double sum = 0.0;
+  for (const Edge& edge : this->Edges_)
+  {
+    sum += (this->Point(edge.v0) - this->Point(edge.v1)).norm();
+  }
+  return this->NumberOfEdges() > 0 ? sum / this->NumberOfEdges() : 0.0;
+}
+
 Id TriangleMesh::EulerCharacteristic() const
 {
   Id used = 0;

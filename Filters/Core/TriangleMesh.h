@@ -123,6 +123,9 @@ public:
   /// Sum of the area normals around p: not of unit length, zero where p has no triangle.
   Eigen::Vector3d PointNormal(Id p) const;
 
+  /// 0 without edges.
+  double MeanEdgeLength() const;
+
   /// Points of the triangles - edges + triangles: points of no triangle are left out.
   Id EulerCharacteristic() const;
 

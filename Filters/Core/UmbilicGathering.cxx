@@ -24,7 +24,7 @@ UmbilicGathering::UmbilicGathering(const TriangleMesh& mesh, const MongeField& f
   for (const IndexCharge& charge : charges)
   {
     this->HalfTurns_[charge.triangle] = charge.halfTurns;
-    (this->IsUsable(charge.triangle) ? measured : unusable).push_back(charge);
+    (AreUsable(mesh.Corners(charge.triangle), usable) ? measured : unusable).push_back(charge);
   }
   this->Cancellation_ = CancelPairs(mesh, std::move(measured), isWeak);
   std::vector<IndexCharge>& kept = this->Cancellation_.kept;
@@ -37,13 +37,6 @@ UmbilicGathering::UmbilicGathering(const TriangleMesh& mesh, const MongeField& f
     }
   }
   this->IsSwallowed_.assign(this->Cancellation_.regions.size(), false);
-}
-
-bool UmbilicGathering::IsUsable(Id triangle) const
-{
-  const Triangle& corners = this->Mesh_.Corners(triangle);
-  return !this->Usable_ ||
-    std::all_of(corners.begin(), corners.end(), [this](Id p) { return this->Usable_[p] != 0; });
 }
 
 // Patches within half the distance between their first centroids cannot share a triangle.
@@ -104,7 +97,7 @@ std::vector<Id> UmbilicGathering::ChoosePatch(
       break;
     }
     const Id t = patch[i];
-    if (i > 0 && !this->IsUsable(t))
+    if (i > 0 && !AreUsable(this->Mesh_.Corners(t), this->Usable_))
     {
       break;
     }

@@ -37,7 +37,6 @@ public:
   std::vector<std::vector<Id>> CancelledRegions() const;
 
 private:
-  bool IsUsable(Id triangle) const;
   std::vector<double> HalfWaysToNext() const;
   std::vector<Id> ChoosePatch(
     const IndexCharge& charge, int ridgeCount, double radius, double halfWay);

@@ -51,16 +51,6 @@ int SumOfHalfTurns(const TriangleMesh& mesh, const DirectionIndex& index)
   return sum;
 }
 
-int SumOf(const std::vector<IndexCharge>& charges)
-{
-  int sum = 0;
-  for (const IndexCharge& charge : charges)
-  {
-    sum += charge.halfTurns;
-  }
-  return sum;
-}
-
 std::vector<std::uint8_t> TamePoints(const TriangleMesh& mesh, const DirectionIndex& index)
 {
   std::vector<std::uint8_t> isTame(mesh.NumberOfPoints(), 0);

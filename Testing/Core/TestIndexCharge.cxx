@@ -18,16 +18,6 @@ namespace
 using namespace ridges;
 using namespace ridges::testing;
 
-int SumOf(const std::vector<IndexCharge>& charges)
-{
-  int sum = 0;
-  for (const IndexCharge& charge : charges)
-  {
-    sum += charge.halfTurns;
-  }
-  return sum;
-}
-
 // On different triangles, of -3 to 3 half turns.
 std::vector<IndexCharge> RandomCharges(const TriangleMesh& mesh, std::uint64_t seed, double share)
 {

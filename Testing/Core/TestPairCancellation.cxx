@@ -18,16 +18,6 @@ namespace
 using namespace ridges;
 using namespace ridges::testing;
 
-int SumOf(const std::vector<IndexCharge>& charges)
-{
-  int sum = 0;
-  for (const IndexCharge& charge : charges)
-  {
-    sum += charge.halfTurns;
-  }
-  return sum;
-}
-
 std::vector<IndexCharge> RandomCharges(const TriangleMesh& mesh, std::uint64_t seed, double share)
 {
   std::mt19937_64 generator(seed);
