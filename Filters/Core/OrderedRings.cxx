@@ -16,10 +16,12 @@ constexpr Id LargestFan = 32;
 
 OrderedRings::OrderedRings(const TriangleMesh& mesh)
   : Mesh_(mesh)
-  , Rings_(3 * static_cast<std::size_t>(mesh.NumberOfTriangles()) + mesh.NumberOfPoints())
+  , Rings_(
+      3 * static_cast<std::size_t>(mesh.NumberOfTriangles()) + mesh.NumberOfPoints() + ReadableIds)
   , Sizes_(mesh.NumberOfPoints(), 0)
   , Kinds_(mesh.NumberOfPoints(), Kind::Irregular)
 {
+  std::fill(this->Rings_.end() - ReadableIds, this->Rings_.end(), -1);
 }
 
 void OrderedRings::Build(Id begin, Id end)

@@ -22,6 +22,9 @@ public:
   /// Finds the rings of the points [begin, end). Different ranges may be built at the same time.
   void Build(Id begin, Id end);
 
+  /// So many ids can be read from where any ring begins, whatever its size.
+  static constexpr Id ReadableIds = 8;
+
   /// The neighbours of p in order. Empty for a point without triangles, and for one that is not
   /// regular.
   Span<Id> Around(Id p) const
@@ -35,6 +38,9 @@ public:
   {
     return this->Kinds_[p] == Kind::Closed || this->Kinds_[p] == Kind::Open;
   }
+
+  /// Whether they form a closed fan in one orientation.
+  bool IsClosed(Id p) const { return this->Kinds_[p] == Kind::Closed; }
 
   /// Whether an edge at p does not have exactly two triangles.
   bool OnBorder(Id p) const

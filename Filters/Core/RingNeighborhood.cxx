@@ -4,6 +4,10 @@
 #include <algorithm>
 #include <type_traits>
 
+#ifdef __SSE2__
+#include <emmintrin.h>
+#endif
+
 namespace ridges
 {
 namespace
@@ -14,6 +18,40 @@ struct All
 {
   bool operator()(Id) const { return true; }
 };
+
+constexpr Id LargestFan = OrderedRings::ReadableIds;
+
+/// The first place of an id among eight; 8 if it is not there. Without branches, as the place is
+/// as good as random.
+Id PlaceAmongEight(const Id* ids, Id wanted)
+{
+  static_assert(LargestFan == 8);
+#ifdef __SSE2__
+  const __m128i all = _mm_set1_epi32(wanted);
+  const auto equal = [=](const Id* four)
+  { return _mm_cmpeq_epi32(_mm_loadu_si128(reinterpret_cast<const __m128i*>(four)), all); };
+  const __m128i words = _mm_packs_epi32(equal(ids), equal(ids + 4));
+  const int found = _mm_movemask_epi8(_mm_packs_epi16(words, words));
+  return __builtin_ctz(static_cast<unsigned>(found) | 0x100U);
+#else
+  return static_cast<Id>(std::find(ids, ids + 8, wanted) - ids);
+#endif
+}
+
+bool IsEnough(const NeighborhoodRule& rule, int rings, Id count)
+{
+  const bool enoughPoints = count >= rule.minimumNumberOfPoints;
+  const bool enoughRings = rings >= rule.numberOfRings;
+  switch (rule.kind)
+  {
+    case NeighborhoodRule::Kind::PointCount:
+      return enoughPoints;
+    case NeighborhoodRule::Kind::Rings:
+      return enoughRings;
+    default:
+      return enoughPoints && enoughRings;
+  }
+}
 
 } // namespace
 
@@ -82,7 +120,7 @@ Span<Id> RingNeighborhood::NeighborsOfIrregular(Id p)
   return { neighbors.data(), neighbors.data() + neighbors.size() };
 }
 
-Span<Id> RingNeighborhood::Gather(Id vertex, const NeighborhoodRule& rule)
+void RingNeighborhood::Begin(Id vertex)
 {
   if (++this->Stamp_ == 0)
   {
@@ -91,47 +129,91 @@ Span<Id> RingNeighborhood::Gather(Id vertex, const NeighborhoodRule& rule)
   }
   if (this->Points_.empty())
   {
-    this->Points_.resize(64);
+    this->Points_.resize(2 * LargestFan * LargestFan);
   }
   this->Points_[0] = vertex;
   this->Count_ = 1;
   this->Stamps_[vertex] = this->Stamp_;
   this->RingBegin_ = 0;
   this->NumberOfRings_ = 0;
+}
 
-  const All any;
-  switch (rule.kind)
+/// The first two rings at once, where all fans are closed and of the usual sizes, and no point is
+/// met twice; else false, with nothing done. In the fan of a neighbour come, after the vertex, the
+/// neighbour before, and then those of the second ring, of which the first is the last of the
+/// neighbour before. So nobody needs to be asked whether he was seen, but for proof.
+bool RingNeighborhood::AddTwoRings()
+{
+  Id* points = this->Points_.data();
+  const Id vertex = points[0];
+  const Span<Id> fan = this->Rings_.Around(vertex);
+  bool good = this->Rings_.IsClosed(vertex) && fan.size() <= LargestFan;
+  if (!good)
   {
-    case NeighborhoodRule::Kind::PointCount:
-      while (this->Count_ < rule.minimumNumberOfPoints && this->AddRing(any))
-      {
-        ++this->NumberOfRings_;
-      }
-      break;
-    case NeighborhoodRule::Kind::Rings:
-      while (this->NumberOfRings_ < rule.numberOfRings && this->AddRing(any))
-      {
-        ++this->NumberOfRings_;
-      }
-      break;
-    case NeighborhoodRule::Kind::RingsAndPointCount:
-      while (
-        (this->NumberOfRings_ < rule.numberOfRings || this->Count_ < rule.minimumNumberOfPoints) &&
-        this->AddRing(any))
-      {
-        ++this->NumberOfRings_;
-      }
-      break;
-    case NeighborhoodRule::Kind::Radius:
+    return false;
+  }
+  std::copy(fan.begin(), fan.end(), points + 1);
+  Id* end = points + 1 + fan.size();
+  for (const Id neighbor : fan)
+  {
+    const Span<Id> around = this->Rings_.Around(neighbor);
+    const Id size = around.size();
+    const Id place = PlaceAmongEight(around.begin(), vertex) + 3;
+    good = good && this->Rings_.IsClosed(neighbor) && size >= 4 && size <= LargestFan;
+    // As many as there may be, and then only those that there are.
+    for (Id i = 0; i < LargestFan - 4; ++i)
     {
-      const Eigen::Vector3d center = this->Mesh_.Point(vertex);
-      const double squaredRadius = rule.radius * rule.radius;
-      const auto inside = [&](Id p)
-      { return (this->Mesh_.Point(p) - center).squaredNorm() <= squaredRadius; };
-      while (this->AddRing(inside))
-      {
-      }
-      break;
+      const Id next = place + i - (place + i >= size ? size : 0);
+      end[i] = around.begin()[next & (LargestFan - 1)];
+    }
+    end += good ? size - 4 : 0;
+  }
+  // Nobody begins where all of the second ring is one point.
+  if (!good || end == points + 1 + fan.size())
+  {
+    return false;
+  }
+  const auto count = static_cast<Id>(end - points);
+  bool metTwice = false;
+  for (Id i = 1; i < count; ++i)
+  {
+    std::uint32_t& stamp = this->Stamps_[points[i]];
+    metTwice |= stamp == this->Stamp_;
+    stamp = this->Stamp_;
+  }
+  if (metTwice)
+  {
+    this->Begin(vertex);
+    return false;
+  }
+  this->Count_ = count;
+  this->RingBegin_ = 1 + fan.size();
+  this->NumberOfRings_ = 2;
+  return true;
+}
+
+Span<Id> RingNeighborhood::Gather(Id vertex, const NeighborhoodRule& rule)
+{
+  this->Begin(vertex);
+  if (rule.kind == NeighborhoodRule::Kind::Radius)
+  {
+    const Eigen::Vector3d center = this->Mesh_.Point(vertex);
+    const double squaredRadius = rule.radius * rule.radius;
+    const auto inside = [&](Id p)
+    { return (this->Mesh_.Point(p) - center).squaredNorm() <= squaredRadius; };
+    while (this->AddRing(inside))
+    {
+    }
+  }
+  else
+  {
+    if (!IsEnough(rule, 1, 1 + this->Rings_.Around(vertex).size()))
+    {
+      this->AddTwoRings();
+    }
+    while (!IsEnough(rule, this->NumberOfRings_, this->Count_) && this->AddRing(All()))
+    {
+      ++this->NumberOfRings_;
     }
   }
   return { this->Points_.data(), this->Points_.data() + this->Count_ };

@@ -46,6 +46,8 @@ public:
   int NumberOfRings() const { return this->NumberOfRings_; }
 
 private:
+  void Begin(Id vertex);
+  bool AddTwoRings();
   template <typename Accept>
   bool AddRing(Accept accept);
   Span<Id> NeighborsOfIrregular(Id p);

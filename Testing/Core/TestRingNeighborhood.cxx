@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 namespace
@@ -135,6 +136,49 @@ Mesh ThinWall(int n, double gap)
   return mesh;
 }
 
+// Two pyramids on a polygon with n corners, base to base.
+Mesh DoublePyramid(int n)
+{
+  Mesh mesh;
+  mesh.AddPoint(Vector3d(0, 0, 1));
+  mesh.AddPoint(Vector3d(0, 0, -1));
+  for (int i = 0; i < n; ++i)
+  {
+    const double angle = 2.0 * EIGEN_PI * i / n;
+    mesh.AddPoint(Vector3d(std::cos(angle), std::sin(angle), 0.0));
+  }
+  for (int i = 0; i < n; ++i)
+  {
+    const int p = 2 + i;
+    const int q = 2 + (i + 1) % n;
+    mesh.AddTriangle(0, p, q);
+    mesh.AddTriangle(1, q, p);
+  }
+  return mesh;
+}
+
+// Some triangles parted into three: fans of three triangles, beside fans of many.
+Mesh PartTriangles(const Mesh& mesh, int every)
+{
+  Mesh parted;
+  parted.points = mesh.points;
+  for (std::size_t t = 0; t < mesh.TriangleCount(); ++t)
+  {
+    const std::int32_t* c = mesh.triangles.data() + 3 * t;
+    if (t % every != 0)
+    {
+      parted.AddTriangle(c[0], c[1], c[2]);
+      continue;
+    }
+    const auto center = static_cast<std::int32_t>(parted.PointCount());
+    parted.AddPoint((mesh.Point(c[0]) + mesh.Point(c[1]) + mesh.Point(c[2])) / 3.0);
+    parted.AddTriangle(c[0], c[1], center);
+    parted.AddTriangle(c[1], c[2], center);
+    parted.AddTriangle(c[2], c[0], center);
+  }
+  return parted;
+}
+
 } // namespace
 
 //------------------------------------------------------------------------------
@@ -147,6 +191,30 @@ TEST(RingNeighborhood, IsThatOfABreadthFirstSearch)
   CheckAgainstBruteForce(TorusMesh(1.0, 0.4, 14, 8), rules);
   CheckAgainstBruteForce(CylinderPatch(1.0, 2.0, 1.0, 12, 7), rules);
   CheckAgainstBruteForce(AddNormalNoise(Icosphere(4), 0.2, 3), rules);
+}
+
+//------------------------------------------------------------------------------
+// Where two rings do not follow from the fans alone: fans of three, four, and more than eight
+// triangles, and second rings that meet themselves or the first.
+TEST(RingNeighborhood, IsThatOfABreadthFirstSearchOnOddFans)
+{
+  const std::vector<NeighborhoodRule> rules = { ByRings(1), ByRings(2), ByRings(3), ByCount(9),
+    ByCount(18) };
+  for (const int n : { 3, 4, 5, 8, 9, 12 })
+  {
+    CheckAgainstBruteForce(DoublePyramid(n), rules);
+    CheckAgainstBruteForce(PartTriangles(DoublePyramid(n), 2), rules);
+  }
+  CheckAgainstBruteForce(Icosphere(1), rules);
+  for (const int around : { 3, 4, 5, 6 })
+  {
+    CheckAgainstBruteForce(TorusMesh(1.0, 0.4, 12, around), rules);
+    CheckAgainstBruteForce(TorusMesh(1.0, 0.4, 5, around), rules);
+  }
+  for (const int every : { 1, 2, 3, 7 })
+  {
+    CheckAgainstBruteForce(PartTriangles(Icosphere(5), every), rules);
+  }
 }
 
 //------------------------------------------------------------------------------
