@@ -32,13 +32,6 @@ inline void CompleteFrame(Frame& frame)
 struct SymmetricMatrix
 {
   Vec xx, xy, xz, yy, yz, zz;
-
-  Vec3 operator*(const Vec3& a) const
-  {
-    return { this->xx * a.x + this->xy * a.y + this->xz * a.z,
-      this->xy * a.x + this->yy * a.y + this->yz * a.z,
-      this->xz * a.x + this->yz * a.y + this->zz * a.z };
-  }
 };
 
 /// Takes the points, as offsets from the vertices, zero past the end of a lane. The result is
@@ -95,6 +88,9 @@ inline Vec3 Side(const ridges::JetBatch& batch, const Vec3* offsets)
   return side;
 }
 
+constexpr double SmallestSlope = 1e-7;
+constexpr double LargestStep = 1e-6;
+
 /// The offsets, and the frame that they spread in.
 inline Frame PrincipalFrame(const ridges::JetBatch& batch, Vec3* offsets)
 {
@@ -103,16 +99,26 @@ inline Frame PrincipalFrame(const ridges::JetBatch& batch, Vec3* offsets)
   const SymmetricMatrix c = Covariance(batch, offsets, squaredRadius);
   frame.radius = Sqrt(squaredRadius);
 
-  // The least root of t^3 - t^2 + m t - d by Newton's method from 0: left of it the cubic is
-  // concave and rises, so the steps approach it from below, in few steps where it is small.
+  // The least root of f = t^3 - t^2 + m t - d by Newton's method, from the first terms of its
+  // series in d. Left of the root f is concave and rises, and the start is left of it where the
+  // root is small against the next: there each step squares the error.
   const Vec m = c.xx * c.yy - c.xy * c.xy + c.xx * c.zz - c.xz * c.xz + c.yy * c.zz - c.yz * c.yz;
   const Vec d = c.xx * (c.yy * c.zz - c.yz * c.yz) - c.xy * (c.xy * c.zz - c.yz * c.xz) +
     c.xz * (c.xy * c.yz - c.yy * c.xz);
-  Vec t{};
-  for (int step = 0; step < 5; ++step)
+  const Vec perM = 1.0 / m;
+  Vec t = d * perM + (d * perM) * (d * perM) * perM;
+  Vec f{};
+  Vec slope{};
+  for (int step = 0; step < 3; ++step)
   {
-    t -= (((t - 1.0) * t + m) * t - d) / ((3.0 * t - 2.0) * t + m);
+    f = ((t - 1.0) * t + m) * t - d;
+    slope = (3.0 * t - 2.0) * t + m;
+    t -= f / slope;
   }
+  // The slope is the product of the distances to the other eigenvalues: where it is small, the two
+  // least are hardly apart, or the points lie on a line. The last step squares what was wrong
+  // before, so that what is left is of the order of rounding.
+  frame.failed = !(slope > SmallestSlope && Abs(f) < LargestStep * slope * slope);
 
   // Its eigenvector is orthogonal to the rows of C - t I: the longest of their cross products.
   const Vec3 row0{ c.xx - t, c.xy, c.xz };
@@ -123,30 +129,13 @@ inline Frame PrincipalFrame(const ridges::JetBatch& batch, Vec3* offsets)
   Vec3 longest = Cross(row0, row1);
   Vec length = Dot(longest, longest);
   const Vec length1 = Dot(candidate1, candidate1);
+  const Vec length2 = Dot(candidate2, candidate2);
   longest = Select(length1 > length, candidate1, longest);
   length = Max(length, length1);
-  longest = Select(Dot(candidate2, candidate2) > length, candidate2, longest);
-  frame.n = Normalized(longest);
-  CompleteFrame(frame);
-
-  // One Newton step on C n = t n. Where it is not small the two least eigenvalues are hardly
-  // apart, or the points lie on a line.
-  const Vec3 cn = c * frame.n;
-  const Vec3 cu = c * frame.u;
-  const Vec3 cv = c * frame.v;
-  const Vec eigenvalue = Dot(frame.n, cn);
-  const Vec alongU = Dot(frame.u, cn);
-  const Vec alongV = Dot(frame.v, cn);
-  const Vec uu = Dot(frame.u, cu) - eigenvalue;
-  const Vec uv = Dot(frame.u, cv);
-  const Vec vv = Dot(frame.v, cv) - eigenvalue;
-  const Vec perDeterminant = 1.0 / (uu * vv - uv * uv);
-  const Vec stepU = (uv * alongV - vv * alongU) * perDeterminant;
-  const Vec stepV = (uv * alongU - uu * alongV) * perDeterminant;
-  frame.failed = !(Abs(stepU) + Abs(stepV) < 1e-5);
-
-  const Vec3 normal = Normalized(frame.n + stepU * frame.u + stepV * frame.v);
-  frame.n = WithSign(Broadcast(1.0), Dot(normal, Side(batch, offsets))) * normal;
+  longest = Select(length2 > length, candidate2, longest);
+  length = Max(length, length2);
+  frame.n = 1.0 / Sqrt(length) * longest;
+  frame.n = WithSign(Broadcast(1.0), Dot(frame.n, Side(batch, offsets))) * frame.n;
   CompleteFrame(frame);
   return frame;
 }
