@@ -2,6 +2,7 @@
 #include "JetBatchFiller.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace ridges
 {
@@ -38,16 +39,24 @@ bool JetBatchFiller::Add(Id vertex, Span<Id> points, bool wholeRings)
 
 void JetBatchFiller::SortBySize()
 {
-  // Counted: there are few sizes, and no comparison that cannot be foreseen.
-  std::array<std::uint16_t, JetBatch::MaximumRows + 2> begins{};
   Id least = JetBatch::MaximumRows;
   Id most = 0;
   for (int i = 0; i < this->Size_; ++i)
   {
-    const Id count = this->Waiting_[i].count;
-    ++begins[count + 1];
-    least = std::min(least, count);
-    most = std::max(most, count);
+    least = std::min(least, this->Waiting_[i].count);
+    most = std::max(most, this->Waiting_[i].count);
+  }
+  // All of one size is usual, and there counting would be a chain of waits for one counter.
+  if (least == most)
+  {
+    std::iota(this->Order_.begin(), this->Order_.begin() + this->Size_, std::uint16_t(0));
+    return;
+  }
+  // Counted: there are few sizes, and no comparison that cannot be foreseen.
+  std::array<std::uint16_t, JetBatch::MaximumRows + 2> begins{};
+  for (int i = 0; i < this->Size_; ++i)
+  {
+    ++begins[this->Waiting_[i].count + 1];
   }
   for (Id count = least; count < most; ++count)
   {
