@@ -28,8 +28,8 @@ inline Vec3 LoadPoints(const double* points, const std::int32_t* const* lists, i
 #if defined(RIDGES_LANE_POINTS_AVX512)
   const auto load = [&](int low, int high)
   {
-    const __m512d first = _mm512_maskz_broadcast_f64x4(0x07, _mm256_maskz_loadu_pd(7, point(low)));
-    return _mm512_mask_broadcast_f64x4(first, 0x70, _mm256_maskz_loadu_pd(7, point(high)));
+    const __m512d first = _mm512_castpd256_pd512(_mm256_maskz_loadu_pd(7, point(low)));
+    return _mm512_maskz_insertf64x4(0xff, first, _mm256_maskz_loadu_pd(7, point(high)), 1);
   };
   const __m512d p02 = load(0, 2);
   const __m512d p13 = load(1, 3);
