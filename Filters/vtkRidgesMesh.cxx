@@ -63,7 +63,7 @@ struct ForEachCell
 };
 
 /// The usual case, done in parallel: all cells are triangles with three different points. False
-/// as soon as one is not.
+/// if one is not. Loops without branches, over values in a row.
 struct FetchTriangles
 {
   template <typename CellState>
@@ -76,25 +76,53 @@ struct FetchTriangles
     ForRanges(state.GetNumberOfCells(),
       [&](vtkIdType begin, vtkIdType end)
       {
-        for (vtkIdType cell = begin; cell < end; ++cell)
+        if (!AreTriangles(offsets + begin, offsets + end) ||
+          !Narrow(points + offsets[begin], points + offsets[end], numberOfPoints,
+            triangles[begin].data()) ||
+          !HaveThreePoints(triangles.data() + begin, triangles.data() + end))
         {
-          if (offsets[cell + 1] - offsets[cell] != 3)
-          {
-            allGood = false;
-            return;
-          }
-          const auto* c = points + offsets[cell];
-          const auto isThere = [=](vtkIdType p) { return p >= 0 && p < numberOfPoints; };
-          if (c[0] == c[1] || c[1] == c[2] || c[2] == c[0] || !isThere(c[0]) || !isThere(c[1]) ||
-            !isThere(c[2]))
-          {
-            allGood = false;
-            return;
-          }
-          triangles[cell] = { static_cast<Id>(c[0]), static_cast<Id>(c[1]), static_cast<Id>(c[2]) };
+          allGood = false;
         }
       });
     good = allGood;
+  }
+
+private:
+  template <typename Offset>
+  static bool AreTriangles(const Offset* begin, const Offset* end)
+  {
+    bool all = true;
+    for (const Offset* offset = begin; offset < end; ++offset)
+    {
+      all &= offset[1] - offset[0] == 3;
+    }
+    return all;
+  }
+
+  template <typename PointId>
+  static bool Narrow(
+    const PointId* begin, const PointId* end, vtkIdType numberOfPoints, Id* narrowed)
+  {
+    PointId bits = 0;
+    Id largest = 0;
+    for (const PointId* p = begin; p < end; ++p)
+    {
+      const auto id = static_cast<Id>(*p);
+      bits |= *p;
+      largest = std::max(largest, id);
+      *narrowed++ = id;
+    }
+    return bits >= 0 && bits <= std::numeric_limits<Id>::max() && largest < numberOfPoints;
+  }
+
+  static bool HaveThreePoints(const Triangle* begin, const Triangle* end)
+  {
+    bool all = true;
+    for (const Triangle* c = begin; c < end; ++c)
+    {
+      all &= ((*c)[0] != (*c)[1]) & ((*c)[1] != (*c)[2]) & ((*c)[2] != (*c)[0]);
+    }
+    return all;
   }
 };
 

@@ -84,8 +84,10 @@ inline LaneTensor<Order> Derivatives(const Vec* coefficients, const Vec& perRadi
 inline Axis HalfAngle(const Vec& x, const Vec& y, const Vec& length)
 {
   const Vec safe = length > 0.0 ? length : Broadcast(1.0);
-  const Vec larger = Sqrt(0.5 * (1.0 + Abs(x) / safe));
-  const Vec smaller = 0.5 * Abs(y) / (safe * larger);
+  const Vec sum = safe + Abs(x);
+  const Vec perNorm = 1.0 / Sqrt(2.0 * safe * sum);
+  const Vec larger = perNorm * sum;
+  const Vec smaller = perNorm * Abs(y);
   const Vec cosine = x >= 0.0 ? larger : smaller;
   const Vec sine = WithSign(x >= 0.0 ? smaller : larger, y);
   return { length > 0.0 ? cosine : Broadcast(1.0), length > 0.0 ? sine : Vec{} };

@@ -139,9 +139,9 @@ void RingNeighborhood::Begin(Id vertex)
 }
 
 /// The first two rings at once, where all fans are closed and of the usual sizes, and no point is
-/// met twice; else false, with nothing done. In the fan of a neighbour come, after the vertex, the
-/// neighbour before, and then those of the second ring, of which the first is the last of the
-/// neighbour before. So nobody needs to be asked whether he was seen, but for proof.
+/// met twice; else false, with nothing done. The fan of a neighbour goes from the vertex to the
+/// neighbour before, and then along the second ring, where its first point is the last of the
+/// neighbour before. So which points are new is known from the fans, and stamps only prove it.
 bool RingNeighborhood::AddTwoRings()
 {
   Id* points = this->Points_.data();
@@ -168,7 +168,7 @@ bool RingNeighborhood::AddTwoRings()
     }
     end += good ? size - 4 : 0;
   }
-  // Nobody begins where all of the second ring is one point.
+  // Where all of the second ring is one point, each neighbour leaves it to the one before.
   if (!good || end == points + 1 + fan.size())
   {
     return false;
