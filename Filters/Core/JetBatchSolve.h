@@ -8,11 +8,14 @@
 namespace
 {
 
-/// LDL^T of the matrix of moments, row by row.
+/// LDL^T of the matrix of moments, two rows at a time: with the pivot p of the first, and with s
+/// and q what is left in the second below p and on the diagonal, the next pivot is q - s^2 / p, and
+/// the inverse of that p / (p q - s^2) does not have to wait for 1 / p.
 template <int Degree>
 struct NormalEquations
 {
   static constexpr int Size = NumberOfMonomials(Degree);
+  using Moments = Vec[2 * Degree + 1][2 * Degree + 1];
 
   Vec L[Size][Size];
   Vec inverseD[Size];
@@ -20,42 +23,26 @@ struct NormalEquations
   Vec largestPivot;
   Vec smallestPivot;
 
-  inline void Factor(const Vec (&moments)[2 * Degree + 1][2 * Degree + 1])
+  inline void Factor(const Moments& moments)
   {
     this->excess = moments[0][0];
     this->largestPivot = moments[0][0];
     this->smallestPivot = moments[0][0];
-#pragma GCC unroll 15
-    for (int row = 0; row < Size; ++row)
+#pragma GCC unroll 8
+    for (int row = 0; row < Size; row += 2)
     {
-      const Monomial r = Monomials[row];
-      Vec scaled[Size]; // row of L times D
-#pragma GCC unroll 15
-      for (int column = 0; column < row; ++column)
+      Vec scaled[Size];
+      const Vec pivot = this->Eliminate(moments, row, row, scaled);
+      const Vec perPivot = 1.0 / pivot;
+      this->Accept(moments, row, pivot, perPivot);
+      if (row + 1 < Size)
       {
-        const Monomial c = Monomials[column];
-        Vec value = moments[r.j + c.j][r.i + c.i];
-#pragma GCC unroll 15
-        for (int k = 0; k < column; ++k)
-        {
-          value -= scaled[k] * this->L[column][k];
-        }
-        scaled[column] = value;
+        const Vec rest = this->Eliminate(moments, row + 1, row, scaled);
+        const Vec below = scaled[row];
+        const Vec determinant = pivot * rest - below * below;
+        this->L[row + 1][row] = below * perPivot;
+        this->Accept(moments, row + 1, determinant * perPivot, pivot / determinant);
       }
-      const Vec diagonal = moments[2 * r.j][2 * r.i];
-      Vec pivot = diagonal;
-#pragma GCC unroll 15
-      for (int column = 0; column < row; ++column)
-      {
-        this->L[row][column] = scaled[column] * this->inverseD[column];
-        pivot -= scaled[column] * this->L[row][column];
-      }
-      // Not finite once means not finite in the last row.
-      this->excess =
-        Min(this->excess, pivot - ridges::JetBatchKernel::SmallestPivotRatio * diagonal);
-      this->largestPivot = Max(this->largestPivot, pivot);
-      this->smallestPivot = Min(this->smallestPivot, pivot);
-      this->inverseD[row] = 1.0 / pivot;
     }
   }
 
@@ -81,6 +68,44 @@ struct NormalEquations
         x[row] -= this->L[below][row] * x[below];
       }
     }
+  }
+
+private:
+  /// A row of L times D left of the diagonal, and of L left of `end`; the result is what that
+  /// leaves of the diagonal.
+  inline Vec Eliminate(const Moments& moments, int row, int end, Vec (&scaled)[Size])
+  {
+    const Monomial r = Monomials[row];
+#pragma GCC unroll 15
+    for (int column = 0; column < row; ++column)
+    {
+      const Monomial c = Monomials[column];
+      Vec value = moments[r.j + c.j][r.i + c.i];
+#pragma GCC unroll 15
+      for (int k = 0; k < column; ++k)
+      {
+        value -= scaled[k] * this->L[column][k];
+      }
+      scaled[column] = value;
+    }
+    Vec rest = moments[2 * r.j][2 * r.i];
+#pragma GCC unroll 15
+    for (int column = 0; column < end; ++column)
+    {
+      this->L[row][column] = scaled[column] * this->inverseD[column];
+      rest -= scaled[column] * this->L[row][column];
+    }
+    return rest;
+  }
+
+  inline void Accept(const Moments& moments, int row, const Vec& pivot, const Vec& perPivot)
+  {
+    const Vec diagonal = moments[2 * Monomials[row].j][2 * Monomials[row].i];
+    // Not finite once means not finite in the last row.
+    this->excess = Min(this->excess, pivot - ridges::JetBatchKernel::SmallestPivotRatio * diagonal);
+    this->largestPivot = Max(this->largestPivot, pivot);
+    this->smallestPivot = Min(this->smallestPivot, pivot);
+    this->inverseD[row] = perPivot;
   }
 };
 
