@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "OrderedRings.h"
 
+#include "PositionOrder.h"
+
 #include <algorithm>
 #include <array>
 #include <limits>
@@ -54,8 +56,8 @@ bool OrderedRings::HasIrregular() const
 }
 
 /// The ring of a point in at most eight triangles that form a closed fan, as nearly all do; false
-/// for any other, or if two neighbours are equally near. Nothing here branches on how the
-/// triangles happen to be stored, which no processor could foresee.
+/// for any other. Nothing here branches on how the triangles happen to be stored, which no
+/// processor could foresee.
 bool OrderedRings::BuildSmallRing(Id p, Id* ring) const
 {
   constexpr Id most = 8;
@@ -65,25 +67,24 @@ bool OrderedRings::BuildSmallRing(Id p, Id* ring) const
   {
     return false;
   }
-  const Eigen::Vector3d center = this->Mesh_.Point(p);
   std::array<Id, most> from;
   std::array<Id, most> to;
-  std::array<double, most> squared;
+  std::array<double, most> x;
   from.fill(-1);
-  double least = std::numeric_limits<double>::max();
+  double least = std::numeric_limits<double>::infinity();
   for (Id i = 0; i < count; ++i)
   {
     const Triangle& c = this->Mesh_.Corners(triangles[i]);
     from[i] = c[0] == p ? c[1] : (c[1] == p ? c[2] : c[0]);
     to[i] = c[0] == p ? c[2] : (c[1] == p ? c[0] : c[1]);
-    squared[i] = (this->Mesh_.Point(from[i]) - center).squaredNorm();
-    least = std::min(least, squared[i]);
+    x[i] = this->Mesh_.Point(from[i]).x();
+    least = std::min(least, x[i]);
   }
 
   // Which triangle begins where each ends: 0 if none does, above 15 if more than one.
   std::array<Id, most> next;
   Id start = 0;
-  Id nearest = 0;
+  Id leftmost = 0;
   for (Id i = 0; i < count; ++i)
   {
     Id sum = 0;
@@ -92,11 +93,15 @@ bool OrderedRings::BuildSmallRing(Id p, Id* ring) const
       sum += from[j] == to[i] ? 8 + j : 0;
     }
     next[i] = sum;
-    start = squared[i] == least ? i : start;
-    nearest += squared[i] == least ? 1 : 0;
+    start = x[i] == least ? i : start;
+    leftmost += x[i] == least ? 1 : 0;
+  }
+  if (leftmost > 1)
+  {
+    start = this->FirstOf(from.data(), count);
   }
   Id i = start;
-  bool closed = nearest == 1;
+  bool closed = true;
   for (Id length = 1; length <= count; ++length)
   {
     *ring++ = from[i];
@@ -169,33 +174,17 @@ OrderedRings::Kind OrderedRings::BuildRing(Id p, Id* ring, std::uint8_t& size) c
     ++size;
     return Kind::Open;
   }
-  const Id start = this->NearestOf(p, from.data(), count);
+  const Id start = this->FirstOf(from.data(), count);
   std::rotate_copy(from.begin(), from.begin() + start, from.begin() + count, ring);
   return Kind::Closed;
 }
 
-Id OrderedRings::NearestOf(Id p, const Id* ring, Id size) const
+/// Where the first of some points by position is among them.
+Id OrderedRings::FirstOf(const Id* points, Id size) const
 {
-  const Eigen::Vector3d center = this->Mesh_.Point(p);
-  Id nearest = 0;
-  double least = std::numeric_limits<double>::max();
-  for (Id i = 0; i < size; ++i)
-  {
-    const auto q = this->Mesh_.Point(ring[i]);
-    const double squared = (q - center).squaredNorm();
-    bool nearer = squared < least;
-    if (squared == least)
-    {
-      const auto r = this->Mesh_.Point(ring[nearest]);
-      nearer = std::lexicographical_compare(q.data(), q.data() + 3, r.data(), r.data() + 3);
-    }
-    if (nearer)
-    {
-      nearest = i;
-      least = squared;
-    }
-  }
-  return nearest;
+  const auto comesBefore = [this](Id p, Id q)
+  { return ComesBefore(this->Mesh_.Point(p), this->Mesh_.Point(q)); };
+  return static_cast<Id>(std::min_element(points, points + size, comesBefore) - points);
 }
 
 OrderedRings::Kind OrderedRings::KindOfIrregular(Id p) const

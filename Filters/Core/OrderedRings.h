@@ -10,7 +10,7 @@ namespace ridges
 /**
  * The neighbours of each point in the order in which its triangles turn around it, from a start
  * that does not depend on the numbering of the mesh: on the border the first point of the fan, else
- * the nearest neighbour. Walking over neighbourhoods in this order makes sums over them
+ * the first neighbour by position. Walking over neighbourhoods in this order makes sums over them
  * reproducible under renumbering, and needs no sorting.
  */
 class OrderedRings
@@ -65,7 +65,7 @@ private:
   bool BuildSmallRing(Id p, Id* ring) const;
   Kind BuildRing(Id p, Id* ring, std::uint8_t& size) const;
   Kind KindOfIrregular(Id p) const;
-  Id NearestOf(Id p, const Id* ring, Id size) const;
+  Id FirstOf(const Id* points, Id size) const;
 
   const TriangleMesh& Mesh_;
   Buffer<Id> Rings_;

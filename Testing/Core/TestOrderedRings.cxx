@@ -5,6 +5,7 @@
 #include "TestFields.h"
 
 #include "OrderedRings.h"
+#include "PositionOrder.h"
 
 #include <gtest/gtest.h>
 
@@ -54,8 +55,7 @@ void CheckFans(const Mesh& input)
       ASSERT_TRUE(HasTriangle(mesh, p, ring[ring.size() - 1], ring[0]));
       for (const Id q : ring)
       {
-        ASSERT_LE((mesh.Point(ring[0]) - mesh.Point(p)).squaredNorm(),
-          (mesh.Point(q) - mesh.Point(p)).squaredNorm());
+        ASSERT_FALSE(ComesBefore(mesh.Point(q), mesh.Point(ring[0])));
       }
     }
   }
@@ -85,6 +85,8 @@ TEST(OrderedRings, FollowTheTrianglesAroundThePoint)
   CheckFans(Permute(TorusMesh(1.0, 0.4, 14, 8), 4));
   CheckFans(Permute(CylinderPatch(1.0, 2.0, 1.0, 12, 7), 5));
   CheckFans(Permute(GraphPatch([](double x, double y) { return x * y; }, 1.0, 9, 0.2), 6));
+  // Neighbours with the same x.
+  CheckFans(Permute(GraphPatch([](double, double) { return 0.0; }, 1.0, 9), 7));
 }
 
 //------------------------------------------------------------------------------
