@@ -73,23 +73,27 @@ void vtkRidgesFitPoints::FitBatches(Scratch& scratch)
   {
     return;
   }
-  const int lanes = this->Kernel->lanes;
   scratch.batches.Fit(*this->Kernel,
-    [&](const ridges::JetBatch& batch, int lane, ridges::Id p)
+    [&](const ridges::JetBatch& batch, ridges::Span<ridges::Id> vertices)
     {
-      if (batch.good[lane] == 0.0 || !(batch.conditionNumber[lane] <= GrowAbove))
+      this->Output.Store(vertices, batch, this->Kernel->lanes);
+      for (int lane = 0; lane < vertices.size(); ++lane)
       {
-        this->FitAlone(p, scratch);
-        return;
-      }
-      this->Output.Store(
-        p, batch, lanes, lane, this->Rings.OnBorder(p) ? ridges::FitBoundary : ridges::FitGood);
-      if (this->Wanted.standardErrors)
-      {
-        // Batches do not keep what errors are made of. All other values stay theirs.
-        const ridges::JetFit fit =
-          this->Fit(p, scratch.neighborhood.Gather(p, this->Wanted.rule), scratch);
-        this->Output.StoreErrors(p, ridges::StandardErrors(scratch.fitter, fit));
+        const ridges::Id p = vertices[lane];
+        if (batch.good[lane] == 0.0 || !(batch.conditionNumber[lane] <= GrowAbove))
+        {
+          this->FitAlone(p, scratch);
+          continue;
+        }
+        this->Output.StoreStatus(
+          p, this->Rings.OnBorder(p) ? ridges::FitBoundary : ridges::FitGood);
+        if (this->Wanted.standardErrors)
+        {
+          // Batches do not keep what errors are made of. All other values stay theirs.
+          const ridges::JetFit fit =
+            this->Fit(p, scratch.neighborhood.Gather(p, this->Wanted.rule), scratch);
+          this->Output.StoreErrors(p, ridges::StandardErrors(scratch.fitter, fit));
+        }
       }
     });
 }

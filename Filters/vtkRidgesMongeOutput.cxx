@@ -32,15 +32,32 @@ void Put(double* values, vtkIdType p, double value)
   }
 }
 
-/// Values of a lane, `lanes` apart.
-template <int Components>
-void Put(double* values, vtkIdType p, const double* batch, int lanes, int lane)
+/// Asks for memory that is going to be written some batches later. What comes out goes into a
+/// dozen arrays: that is more than the processor follows by itself.
+void Announce(const double* values)
 {
-  if (values)
+#ifdef __GNUC__
+  __builtin_prefetch(values, 1);
+#else
+  static_cast<void>(values);
+#endif
+}
+
+/// Values of all lanes of a batch, component after component, `lanes` apart.
+template <int Components>
+void Put(double* values, ridges::Span<ridges::Id> points, const double* batch, int lanes)
+{
+  constexpr int ahead = 32;
+  for (int lane = 0; values && lane < points.size(); ++lane)
   {
+    double* tuple = values + Components * static_cast<vtkIdType>(points[lane]);
+    if (Components > 1 || lane == 0)
+    {
+      Announce(tuple + ahead * Components);
+    }
     for (int i = 0; i < Components; ++i)
     {
-      values[Components * p + i] = batch[i * lanes + lane];
+      tuple[i] = batch[i * lanes + lane];
     }
   }
 }
@@ -94,21 +111,20 @@ void vtkRidgesMongeOutput::Store(vtkIdType p, const ridges::MongeForm& form, con
 }
 
 void vtkRidgesMongeOutput::Store(
-  vtkIdType p, const ridges::JetBatch& batch, int lanes, int lane, int status)
+  ridges::Span<ridges::Id> points, const ridges::JetBatch& batch, int lanes)
 {
-  Put<3>(this->Normals, p, batch.n, lanes, lane);
-  Put<3>(this->MaximumDirection, p, batch.d1, lanes, lane);
-  Put<3>(this->MinimumDirection, p, batch.d2, lanes, lane);
-  Put<4>(this->ThirdOrder, p, batch.b, lanes, lane);
-  Put<5>(this->FourthOrder, p, batch.c, lanes, lane);
-  Put<1>(this->MaximumCurvature, p, batch.k1, lanes, lane);
-  Put<1>(this->MinimumCurvature, p, batch.k2, lanes, lane);
-  Put<1>(this->P1, p, batch.P1, lanes, lane);
-  Put<1>(this->P2, p, batch.P2, lanes, lane);
-  Put<1>(this->ConditionNumber, p, batch.conditionNumber, lanes, lane);
-  Put<1>(this->Residual, p, batch.residual, lanes, lane);
-  Put<1>(this->Scale, p, batch.radius, lanes, lane);
-  this->Status[p] = status;
+  Put<3>(this->Normals, points, batch.n, lanes);
+  Put<3>(this->MaximumDirection, points, batch.d1, lanes);
+  Put<3>(this->MinimumDirection, points, batch.d2, lanes);
+  Put<4>(this->ThirdOrder, points, batch.b, lanes);
+  Put<5>(this->FourthOrder, points, batch.c, lanes);
+  Put<1>(this->MaximumCurvature, points, batch.k1, lanes);
+  Put<1>(this->MinimumCurvature, points, batch.k2, lanes);
+  Put<1>(this->P1, points, batch.P1, lanes);
+  Put<1>(this->P2, points, batch.P2, lanes);
+  Put<1>(this->ConditionNumber, points, batch.conditionNumber, lanes);
+  Put<1>(this->Residual, points, batch.residual, lanes);
+  Put<1>(this->Scale, points, batch.radius, lanes);
 }
 
 void vtkRidgesMongeOutput::StoreErrors(vtkIdType p, const ridges::JetErrors& errors)

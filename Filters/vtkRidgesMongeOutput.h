@@ -5,6 +5,7 @@
 #include "Core/JetBatch.h"
 #include "Core/JetErrors.h"
 #include "Core/MongeForm.h"
+#include "Core/TriangleMesh.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkIntArray.h"
@@ -35,8 +36,10 @@ public:
 
   void Store(vtkIdType p, const ridges::MongeForm& form, const Quality& quality);
 
-  /// The result of a lane of a batch.
-  void Store(vtkIdType p, const ridges::JetBatch& batch, int lanes, int lane, int status);
+  /// The results of the lanes of a batch, but not their status. Results that are no good may be
+  /// among them: those are to be stored over.
+  void Store(ridges::Span<ridges::Id> points, const ridges::JetBatch& batch, int lanes);
+  void StoreStatus(vtkIdType p, int status) { this->Status[p] = status; }
 
   /// Only if the arrays for it were asked for.
   void StoreErrors(vtkIdType p, const ridges::JetErrors& errors);

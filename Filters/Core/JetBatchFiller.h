@@ -33,8 +33,8 @@ public:
   bool IsFull() const { return this->Size_ == Capacity; }
   bool IsEmpty() const { return this->Size_ == 0; }
 
-  /// Fits all that was taken in, calls visit(batch, lane, vertex) for each, and forgets it. The
-  /// number of lanes is the kernel's.
+  /// Fits all that was taken in, and forgets it. Calls visit(batch, vertices) for each batch, where
+  /// vertices[lane] is that of the lane; the last lanes of the last batch may have none.
   template <typename Visit>
   void Fit(const JetBatchKernel& kernel, Visit visit)
   {
@@ -43,10 +43,12 @@ public:
     {
       const int lanes = this->Fill(first, kernel.lanes);
       kernel.fit(*this->Batch_);
+      std::array<Id, JetBatch::MaximumLanes> vertices;
       for (int lane = 0; lane < lanes; ++lane)
       {
-        visit(*this->Batch_, lane, this->Waiting_[this->Order_[first + lane]].vertex);
+        vertices[lane] = this->Waiting_[this->Order_[first + lane]].vertex;
       }
+      visit(*this->Batch_, Span<Id>{ vertices.data(), vertices.data() + lanes });
     }
     this->Clear();
   }

@@ -89,11 +89,11 @@ void Run(const CoreMesh& core, const JetBatchKernel& kernel, std::vector<MongeFo
     if (batches.IsFull() || p + 1 == count)
     {
       batches.Fit(Last == UpTo::Fit ? kernel : none,
-        [&](const JetBatch& batch, int lane, Id vertex)
+        [&](const JetBatch& batch, Span<Id> vertices)
         {
-          if (Last == UpTo::Fit)
+          for (int lane = 0; Last == UpTo::Fit && lane < vertices.size(); ++lane)
           {
-            TakeResult(batch, kernel.lanes, lane, forms[vertex]);
+            TakeResult(batch, kernel.lanes, lane, forms[vertices[lane]]);
           }
         });
     }

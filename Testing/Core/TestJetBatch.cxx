@@ -44,15 +44,18 @@ struct BatchFit
 void FitAdded(JetBatchFiller& filler, const JetBatchKernel& kernel, std::vector<BatchFit>& fits)
 {
   filler.Fit(kernel,
-    [&](const JetBatch& batch, int lane, Id vertex)
+    [&](const JetBatch& batch, Span<Id> vertices)
     {
-      BatchFit& fit = fits[vertex];
-      fit.good = TakeResult(batch, kernel.lanes, lane, fit.form);
-      fit.P1 = batch.P1[lane];
-      fit.P2 = batch.P2[lane];
-      fit.conditionNumber = batch.conditionNumber[lane];
-      fit.residual = batch.residual[lane];
-      fit.radius = batch.radius[lane];
+      for (int lane = 0; lane < vertices.size(); ++lane)
+      {
+        BatchFit& fit = fits[vertices[lane]];
+        fit.good = TakeResult(batch, kernel.lanes, lane, fit.form);
+        fit.P1 = batch.P1[lane];
+        fit.P2 = batch.P2[lane];
+        fit.conditionNumber = batch.conditionNumber[lane];
+        fit.residual = batch.residual[lane];
+        fit.radius = batch.radius[lane];
+      }
     });
 }
 
