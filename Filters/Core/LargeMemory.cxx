@@ -17,14 +17,17 @@ void* AllocateLarge(std::size_t bytes)
   void* memory = nullptr;
 #ifdef __linux__
   constexpr std::size_t page = std::size_t(1) << 21;
-  if (bytes >= 2 * page)
+  if (bytes >= LargeMemorySize)
   {
-    if (posix_memalign(&memory, page, bytes) != 0)
+    // A page that is half used is better than hundreds of small ones.
+    const std::size_t rest = bytes % page;
+    const std::size_t rounded = rest >= page / 2 ? bytes - rest + page : bytes;
+    if (posix_memalign(&memory, page, rounded) != 0)
     {
       throw std::bad_alloc();
     }
     // An advice: it does not matter if it is not taken.
-    madvise(memory, bytes, MADV_HUGEPAGE);
+    madvise(memory, rounded, MADV_HUGEPAGE);
     return memory;
   }
 #endif
