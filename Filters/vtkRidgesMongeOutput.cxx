@@ -2,6 +2,7 @@
 #include "vtkRidgesMongeOutput.h"
 
 #include "Core/LargeMemory.h"
+#include "Core/SharedMemory.h"
 #include "vtkRidgesArrayNames.h"
 
 #include "vtkPointData.h"
@@ -66,31 +67,27 @@ void Put(double* values, ridges::Span<ridges::Id> points, const double* batch, i
 
 vtkRidgesMongeOutput::vtkRidgesMongeOutput(vtkIdType count, int order, bool standardErrors)
 {
-  this->Add(this->Normals, names::Normals, 3, count, order >= 1);
-  this->Add(this->MaximumCurvature, names::MaximumCurvature, 1, count, order >= 2);
-  this->Add(this->MinimumCurvature, names::MinimumCurvature, 1, count, order >= 2);
-  this->Add(this->MaximumDirection, names::MaximumDirection, 3, count, order >= 2);
-  this->Add(this->MinimumDirection, names::MinimumDirection, 3, count, order >= 2);
-  this->Add(this->ThirdOrder, names::ThirdOrder, 4, count, order >= 3, "b");
-  this->Add(this->FourthOrder, names::FourthOrder, 5, count, order >= 4, "c");
-  this->Add(this->P1, names::P1, 1, count, order >= 4);
-  this->Add(this->P2, names::P2, 1, count, order >= 4);
+  this->Add(this->Normals, names::Normals, 3, order >= 1);
+  this->Add(this->MaximumCurvature, names::MaximumCurvature, 1, order >= 2);
+  this->Add(this->MinimumCurvature, names::MinimumCurvature, 1, order >= 2);
+  this->Add(this->MaximumDirection, names::MaximumDirection, 3, order >= 2);
+  this->Add(this->MinimumDirection, names::MinimumDirection, 3, order >= 2);
+  this->Add(this->ThirdOrder, names::ThirdOrder, 4, order >= 3, "b");
+  this->Add(this->FourthOrder, names::FourthOrder, 5, order >= 4, "c");
+  this->Add(this->P1, names::P1, 1, order >= 4);
+  this->Add(this->P2, names::P2, 1, order >= 4);
 
   const bool errors = standardErrors;
-  this->Add(
-    this->MaximumCurvatureError, names::MaximumCurvatureError, 1, count, errors && order >= 2);
-  this->Add(
-    this->MinimumCurvatureError, names::MinimumCurvatureError, 1, count, errors && order >= 2);
-  this->Add(this->ThirdOrderError, names::ThirdOrderError, 4, count, errors && order >= 3, "b");
-  this->Add(this->P1Error, names::P1Error, 1, count, errors && order >= 4);
-  this->Add(this->P2Error, names::P2Error, 1, count, errors && order >= 4);
+  this->Add(this->MaximumCurvatureError, names::MaximumCurvatureError, 1, errors && order >= 2);
+  this->Add(this->MinimumCurvatureError, names::MinimumCurvatureError, 1, errors && order >= 2);
+  this->Add(this->ThirdOrderError, names::ThirdOrderError, 4, errors && order >= 3, "b");
+  this->Add(this->P1Error, names::P1Error, 1, errors && order >= 4);
+  this->Add(this->P2Error, names::P2Error, 1, errors && order >= 4);
 
-  this->Add(this->ConditionNumber, names::FitConditionNumber, 1, count, true);
-  this->Add(this->Residual, names::FitResidual, 1, count, true);
-  this->Add(this->Scale, names::FitScale, 1, count, true);
-  this->StatusArray->SetName(names::FitStatus);
-  this->StatusArray->SetNumberOfTuples(count);
-  this->Status = this->StatusArray->GetPointer(0);
+  this->Add(this->ConditionNumber, names::FitConditionNumber, 1, true);
+  this->Add(this->Residual, names::FitResidual, 1, true);
+  this->Add(this->Scale, names::FitScale, 1, true);
+  this->Allocate(count);
 }
 
 void vtkRidgesMongeOutput::Store(vtkIdType p, const ridges::MongeForm& form, const Quality& quality)
@@ -154,8 +151,8 @@ void vtkRidgesMongeOutput::AddTo(vtkPointData* pointData)
   pointData->SetActiveNormals(names::Normals);
 }
 
-void vtkRidgesMongeOutput::Add(double*& values, const char* name, int components, vtkIdType count,
-  bool wanted, const char* componentPrefix)
+void vtkRidgesMongeOutput::Add(
+  double*& values, const char* name, int components, bool wanted, const char* componentPrefix)
 {
   values = nullptr;
   if (wanted)
@@ -167,9 +164,39 @@ void vtkRidgesMongeOutput::Add(double*& values, const char* name, int components
     {
       array->SetComponentName(i, (componentPrefix + std::to_string(i)).c_str());
     }
-    const vtkIdType size = components * count;
-    values = static_cast<double*>(ridges::AllocateLarge(size * sizeof(double)));
-    array->SetArray(values, size, 0, vtkAbstractArray::VTK_DATA_ARRAY_FREE);
     this->Arrays.emplace_back(array);
+    this->Values.push_back(&values);
   }
+}
+
+/// Arrays that would waste much of a large page share their memory.
+void vtkRidgesMongeOutput::Allocate(vtkIdType count)
+{
+  constexpr std::size_t enough = 4 * ridges::LargeMemorySize;
+  std::size_t shared = 0;
+  for (const auto& array : this->Arrays)
+  {
+    const std::size_t bytes = count * array->GetNumberOfComponents() * sizeof(double);
+    shared += bytes < enough ? bytes : 0;
+  }
+  ridges::SharedMemory memory(this->Arrays.size(), shared);
+  for (std::size_t i = 0; i < this->Arrays.size(); ++i)
+  {
+    vtkDoubleArray* array = this->Arrays[i];
+    const vtkIdType size = count * array->GetNumberOfComponents();
+    const std::size_t bytes = size * sizeof(double);
+    const bool shares = bytes < enough;
+    auto* values = static_cast<double*>(shares ? memory.Take(bytes) : ridges::AllocateLarge(bytes));
+    array->SetArray(values, size, 0,
+      shares ? vtkAbstractArray::VTK_DATA_ARRAY_USER_DEFINED
+             : vtkAbstractArray::VTK_DATA_ARRAY_FREE);
+    if (shares)
+    {
+      array->SetArrayFreeFunction(ridges::SharedMemory::Free);
+    }
+    *this->Values[i] = values;
+  }
+  this->StatusArray->SetName(names::FitStatus);
+  this->StatusArray->SetNumberOfTuples(count);
+  this->Status = this->StatusArray->GetPointer(0);
 }

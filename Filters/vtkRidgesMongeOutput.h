@@ -49,14 +49,16 @@ public:
   vtkIntArray* GetStatus() { return this->StatusArray; }
 
 private:
-  void Add(double*& values, const char* name, int components, vtkIdType count, bool wanted,
+  void Add(double*& values, const char* name, int components, bool wanted,
     const char* componentPrefix = nullptr);
+  void Allocate(vtkIdType count);
 
   double *Normals, *MaximumCurvature, *MinimumCurvature, *MaximumDirection, *MinimumDirection,
     *ThirdOrder, *FourthOrder, *P1, *P2, *ConditionNumber, *Residual, *Scale;
   double *MaximumCurvatureError, *MinimumCurvatureError, *ThirdOrderError, *P1Error, *P2Error;
   int* Status;
   std::vector<vtkSmartPointer<vtkDoubleArray>> Arrays;
+  std::vector<double**> Values; ///< Which of the pointers above are those of the arrays.
   vtkNew<vtkIntArray> StatusArray;
 };
 

@@ -15,6 +15,7 @@
 
 #include <cmath>
 #include <sstream>
+#include <vector>
 
 using namespace ridges::testing;
 namespace names = vtkRidgesArrayNames;
@@ -118,6 +119,36 @@ TEST(JetFitting, PutsOutTheArraysOfTheContract)
     EXPECT_EQ(data->GetArray(names::FourthOrder)->GetComponentName(i),
       std::string("c") + std::to_string(i));
   }
+}
+
+TEST(JetFitting, ArraysOutliveEachOtherAndTheFilter)
+{
+  // Large enough that small arrays share their memory, and that the largest do not.
+  vtkSmartPointer<vtkDataArray> k1;
+  vtkSmartPointer<vtkDataArray> fourth;
+  std::vector<double> expected;
+  {
+    vtkNew<vtkJetFitting> jets;
+    jets->SetInputData(EllipsoidData(110));
+    jets->Update();
+    vtkPointData* data = jets->GetOutput()->GetPointData();
+    k1 = data->GetArray(names::MaximumCurvature);
+    fourth = data->GetArray(names::FourthOrder);
+    for (vtkIdType p = 0; p < k1->GetNumberOfTuples(); ++p)
+    {
+      expected.push_back(k1->GetTuple1(p));
+    }
+  }
+  const auto count = static_cast<vtkIdType>(expected.size());
+  k1->InsertNextTuple1(7.0);
+  fourth->Resize(1);
+  ASSERT_EQ(k1->GetNumberOfTuples(), count + 1);
+  for (vtkIdType p = 0; p < count; ++p)
+  {
+    ASSERT_EQ(k1->GetTuple1(p), expected[p]);
+  }
+  EXPECT_EQ(k1->GetTuple1(count), 7.0);
+  EXPECT_EQ(fourth->GetNumberOfTuples(), 1);
 }
 
 TEST(JetFitting, FramesAreDirectAndOrthonormalAndOrdered)

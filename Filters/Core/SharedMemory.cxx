@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "SharedMemory.h"
+
+#include "LargeMemory.h"
+
+#include <atomic>
+#include <cstdint>
+#include <cstdlib>
+#include <cstring>
+#include <new>
+
+namespace ridges
+{
+namespace
+{
+
+constexpr std::size_t Line = 64;
+
+std::size_t InLines(std::size_t bytes)
+{
+  return (bytes + Line - 1) / Line * Line;
+}
+
+} // namespace
+
+/// What the piece begins with. A line before each array holds where that is.
+struct SharedMemory::Piece
+{
+  std::atomic<std::size_t> users{ 1 };
+};
+
+SharedMemory::SharedMemory(std::size_t arrays, std::size_t bytes)
+{
+  static_assert(sizeof(Piece) <= Line);
+  // The piece itself may begin within a line.
+  void* memory = AllocateLarge(bytes + (2 * arrays + 2) * Line);
+  this->Piece_ = new (memory) Piece;
+  const std::size_t within = reinterpret_cast<std::uintptr_t>(memory) % Line;
+  this->Next_ = static_cast<char*>(memory) + 2 * Line - within;
+}
+
+SharedMemory::~SharedMemory()
+{
+  Leave(this->Piece_);
+}
+
+void* SharedMemory::Take(std::size_t bytes)
+{
+  char* array = this->Next_ + Line;
+  this->Next_ = array + InLines(bytes);
+  std::memcpy(array - Line, &this->Piece_, sizeof(this->Piece_));
+  this->Piece_->users.fetch_add(1, std::memory_order_relaxed);
+  return array;
+}
+
+void SharedMemory::Free(void* array)
+{
+  if (array)
+  {
+    Piece* piece = nullptr;
+    std::memcpy(&piece, static_cast<char*>(array) - Line, sizeof(piece));
+    Leave(piece);
+  }
+}
+
+void SharedMemory::Leave(Piece* piece)
+{
+  if (piece->users.fetch_sub(1, std::memory_order_acq_rel) == 1)
+  {
+    piece->~Piece();
+    std::free(piece);
+  }
+}
+
+} // namespace ridges
