@@ -187,13 +187,8 @@ void vtkRidgesMongeOutput::Allocate(vtkIdType count)
     const std::size_t bytes = size * sizeof(double);
     const bool shares = bytes < enough;
     auto* values = static_cast<double*>(shares ? memory.Take(bytes) : ridges::AllocateLarge(bytes));
-    array->SetArray(values, size, 0,
-      shares ? vtkAbstractArray::VTK_DATA_ARRAY_USER_DEFINED
-             : vtkAbstractArray::VTK_DATA_ARRAY_FREE);
-    if (shares)
-    {
-      array->SetArrayFreeFunction(ridges::SharedMemory::Free);
-    }
+    array->SetArray(values, size, 0, vtkAbstractArray::VTK_DATA_ARRAY_USER_DEFINED);
+    array->SetArrayFreeFunction(shares ? ridges::SharedMemory::Free : ridges::FreeLarge);
     *this->Values[i] = values;
   }
   this->StatusArray->SetName(names::FitStatus);

@@ -5,7 +5,6 @@
 #include "LargeMemory.h"
 
 #include <cstddef>
-#include <cstdlib>
 #include <memory>
 #include <type_traits>
 
@@ -45,7 +44,7 @@ private:
 
   struct Free
   {
-    void operator()(T* values) const { std::free(values); }
+    void operator()(T* values) const { FreeLarge(values); }
   };
 
   std::unique_ptr<T[], Free> Values_;

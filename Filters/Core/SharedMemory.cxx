@@ -4,8 +4,6 @@
 #include "LargeMemory.h"
 
 #include <atomic>
-#include <cstdint>
-#include <cstdlib>
 #include <cstring>
 #include <new>
 
@@ -32,11 +30,9 @@ struct SharedMemory::Piece
 SharedMemory::SharedMemory(std::size_t arrays, std::size_t bytes)
 {
   static_assert(sizeof(Piece) <= Line);
-  // The piece itself may begin within a line.
-  void* memory = AllocateLarge(bytes + (2 * arrays + 2) * Line);
+  void* memory = AllocateLarge(bytes + (2 * arrays + 1) * Line);
   this->Piece_ = new (memory) Piece;
-  const std::size_t within = reinterpret_cast<std::uintptr_t>(memory) % Line;
-  this->Next_ = static_cast<char*>(memory) + 2 * Line - within;
+  this->Next_ = static_cast<char*>(memory) + Line;
 }
 
 SharedMemory::~SharedMemory()
@@ -68,7 +64,7 @@ void SharedMemory::Leave(Piece* piece)
   if (piece->users.fetch_sub(1, std::memory_order_acq_rel) == 1)
   {
     piece->~Piece();
-    std::free(piece);
+    FreeLarge(piece);
   }
 }
 

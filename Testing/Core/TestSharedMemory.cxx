@@ -61,8 +61,7 @@ TEST(SharedMemory, KeepsArraysApartAndAlignedUntilTheLastIsFreed)
     }
     for (const std::size_t i : { 3, 0, 6, 1, 5, 2, 4 })
     {
-      EXPECT_TRUE(
-        IsFilledWith(shared.arrays[i], shared.sizes[i], static_cast<unsigned char>(i)));
+      EXPECT_TRUE(IsFilledWith(shared.arrays[i], shared.sizes[i], static_cast<unsigned char>(i)));
       SharedMemory::Free(shared.arrays[i]);
     }
   }
