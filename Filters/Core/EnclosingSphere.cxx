@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "EnclosingSphere.h"
 
+#include <Eigen/Geometry>
 #include <Eigen/QR>
 
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
 namespace ridges
 {
@@ -104,18 +107,57 @@ Sphere SmallestEnclosingSphere(const Eigen::Ref<const Eigen::Matrix3Xd>& points)
   }
 }
 
+// Let c be any centre and R the distance of the farthest point. The smallest sphere, of radius r
+// about c + d, has points on the far side of c: |d|^2 + r^2 <= R^2. So with a lower bound of r,
+// half the distance of two points, |d| is bounded, and what lies nearer to c than r - |d| is
+// inside.
 Sphere SmallestEnclosingSphere(const TriangleMesh& mesh)
 {
-  Eigen::Matrix3Xd points(3, mesh.NumberOfPoints());
-  Eigen::Index used = 0;
+  Eigen::AlignedBox3d box;
+  const auto isUsed = [&mesh](Id p) { return mesh.TrianglesAround(p).size() > 0; };
   for (Id p = 0; p < mesh.NumberOfPoints(); ++p)
   {
-    if (mesh.TrianglesAround(p).size() > 0)
+    if (isUsed(p))
     {
-      points.col(used++) = mesh.Point(p);
+      box.extend(mesh.Point(p));
     }
   }
-  return SmallestEnclosingSphere(points.leftCols(used));
+  if (box.isEmpty())
+  {
+    return {};
+  }
+  const auto farthestFrom = [&](const Eigen::Vector3d& center)
+  {
+    Eigen::Vector3d farthest = center;
+    double squared = 0.0;
+    for (Id p = 0; p < mesh.NumberOfPoints(); ++p)
+    {
+      const double other = (mesh.Point(p) - center).squaredNorm();
+      if (other > squared && isUsed(p))
+      {
+        squared = other;
+        farthest = mesh.Point(p);
+      }
+    }
+    return farthest;
+  };
+  const Eigen::Vector3d center = box.center();
+  const Eigen::Vector3d end = farthestFrom(center);
+  const double outer = (end - center).norm();
+  const double inner = 0.5 * (farthestFrom(end) - end).norm();
+  const double shift = std::sqrt(std::max(0.0, outer * outer - inner * inner));
+  const double least = std::max(0.0, (inner - shift) * (1.0 - 1e-12) - 1e-12 * outer);
+
+  std::vector<Eigen::Vector3d> outermost;
+  for (Id p = 0; p < mesh.NumberOfPoints(); ++p)
+  {
+    if ((mesh.Point(p) - center).squaredNorm() >= least * least && isUsed(p))
+    {
+      outermost.emplace_back(mesh.Point(p));
+    }
+  }
+  return SmallestEnclosingSphere(Eigen::Map<const Eigen::Matrix3Xd>(
+    outermost.front().data(), 3, static_cast<Eigen::Index>(outermost.size())));
 }
 
 } // namespace ridges

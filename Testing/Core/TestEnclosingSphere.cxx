@@ -204,3 +204,25 @@ TEST(EnclosingSphere, OfAMeshLeavesOutPointsOfNoTriangle)
   EXPECT_NEAR(SmallestEnclosingSphere(MeshedSurface(mesh).Triangles()).radius, 1.0, RoundOff);
   EXPECT_EQ(SmallestEnclosingSphere(TriangleMesh()).radius, 0.0);
 }
+
+//------------------------------------------------------------------------------
+TEST(EnclosingSphere, OfAMeshIsThatOfThePointsOfItsTriangles)
+{
+  std::vector<Mesh> meshes = { Icosphere(1), Icosphere(6), EllipsoidMesh(8, 1.4, 1.0, 0.6),
+    EllipsoidMesh(8, 9.0, 0.2, 0.1), TorusMesh(2.0, 0.7, 21, 11),
+    CylinderPatch(1.0, 2.0, 1.0, 12, 7), CylinderPatch(1.0, 0.1, 30.0, 5, 40),
+    AddNormalNoise(Icosphere(6), 0.1, 2) };
+  for (const Mesh& mesh : meshes)
+  {
+    const Matrix3Xd points = Eigen::Map<const Matrix3Xd>(
+      mesh.points.data(), 3, static_cast<Eigen::Index>(mesh.PointCount()));
+    const Sphere expected = SmallestEnclosingSphere(points);
+    Mesh withOther = mesh;
+    withOther.AddPoint(Vector3d(100.0, 0.0, 0.0));
+    const MeshedSurface surface(withOther);
+    const Sphere sphere = SmallestEnclosingSphere(surface.Triangles());
+    EXPECT_NEAR(sphere.radius, expected.radius, RoundOff * expected.radius);
+    EXPECT_LT((sphere.center - expected.center).norm(), 1e-6 * expected.radius);
+  }
+  EXPECT_EQ(SmallestEnclosingSphere(TriangleMesh()).radius, 0.0);
+}
