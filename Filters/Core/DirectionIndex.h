@@ -38,6 +38,9 @@ public:
     return AreUsable(this->Mesh_.Corners(triangle), this->Usable_);
   }
 
+  /// Whether all triangles are known to be.
+  bool AllAreUsable() const { return this->Usable_ == nullptr; }
+
   /**
    * Whether the normal at the point agrees with all triangles around it within 60 degrees, so that
    * angles in the tangent plane are about those on the surface.

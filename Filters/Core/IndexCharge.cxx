@@ -71,6 +71,10 @@ void SpreadLargeCharges(const TriangleMesh& mesh, std::vector<IndexCharge>& char
 std::vector<IndexCharge> ChargesOfUnusable(const TriangleMesh& mesh, const DirectionIndex& index)
 {
   std::vector<IndexCharge> charges;
+  if (index.AllAreUsable())
+  {
+    return charges;
+  }
   std::vector<std::uint8_t> isReached(mesh.NumberOfTriangles(), 0);
   for (Id first = 0; first < mesh.NumberOfTriangles(); ++first)
   {

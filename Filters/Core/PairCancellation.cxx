@@ -8,6 +8,7 @@
 #include <limits>
 #include <queue>
 #include <tuple>
+#include <utility>
 
 namespace ridges
 {
@@ -221,6 +222,16 @@ Cancellation CancelPairs(const TriangleMesh& mesh, std::vector<IndexCharge> char
 {
   SortByPosition(mesh, charges);
   Cancellation result;
+  const auto isThere = [&charges](int halfTurns)
+  {
+    return std::any_of(charges.begin(), charges.end(),
+      [=](const IndexCharge& charge) { return charge.halfTurns == halfTurns; });
+  };
+  if (!isThere(1) || !isThere(-1))
+  {
+    result.kept = std::move(charges);
+    return result;
+  }
   Ways ways(mesh, charges, isWeak);
   for (bool found = true; found;)
   {
