@@ -5,6 +5,7 @@
 #include "Core/FitErrors.h"
 #include "Core/UmbilicGathering.h"
 #include "vtkRidgesBatches.h"
+#include "vtkRidgesCollect.h"
 #include "vtkRidgesFitErrors.h"
 #include "vtkRidgesMongeInput.h"
 #include "vtkRidgesUmbilicOutput.h"
@@ -86,12 +87,10 @@ struct LookAtTriangles
   std::vector<ridges::IndexCharge> Collect() const
   {
     std::vector<ridges::IndexCharge> charges;
-    for (ridges::Id t = 0; t < this->points.mesh.NumberOfTriangles(); ++t)
+    for (const ridges::Id t : vtkRidgesWhere(this->points.mesh.NumberOfTriangles(),
+           [this](ridges::Id i) { return this->halfTurns[i] != 0; }))
     {
-      if (this->halfTurns[t] != 0)
-      {
-        charges.push_back({ t, this->halfTurns[t] });
-      }
+      charges.push_back({ t, this->halfTurns[t] });
     }
     const auto more = ridges::ChargesOfUnusable(this->points.mesh, this->points.index);
     charges.insert(charges.end(), more.begin(), more.end());

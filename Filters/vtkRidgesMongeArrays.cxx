@@ -60,14 +60,18 @@ void vtkRidgesMongeArrays::FetchStatus(vtkPolyData* mesh)
     vtkIntArray* exact = vtkIntArray::SafeDownCast(status);
     const int* values =
       exact && exact->GetNumberOfComponents() == 1 ? exact->GetPointer(0) : nullptr;
-    for (vtkIdType p = 0; p < mesh->GetNumberOfPoints(); ++p)
+    const auto fetch = [&](vtkIdType begin, vtkIdType end)
     {
-      const int bits = values ? values[p] : static_cast<int>(status->GetComponent(p, 0));
-      if (bits & ridges::FitInvalid)
+      for (vtkIdType p = begin; p < end; ++p)
       {
-        this->Usable[p] = 0;
+        const int bits = values ? values[p] : static_cast<int>(status->GetComponent(p, 0));
+        if (bits & ridges::FitInvalid)
+        {
+          this->Usable[p] = 0;
+        }
       }
-    }
+    };
+    vtkSMPTools::For(0, mesh->GetNumberOfPoints(), fetch);
   }
 }
 

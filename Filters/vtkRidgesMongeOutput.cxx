@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRidgesMongeOutput.h"
 
-#include "Core/LargeMemory.h"
-#include "Core/SharedMemory.h"
+#include "vtkRidgesAllocate.h"
 #include "vtkRidgesArrayNames.h"
 
 #include "vtkPointData.h"
@@ -169,29 +168,15 @@ void vtkRidgesMongeOutput::Add(
   }
 }
 
-/// Arrays that would waste much of a large page share their memory.
 void vtkRidgesMongeOutput::Allocate(vtkIdType count)
 {
-  constexpr std::size_t enough = 4 * ridges::LargeMemorySize;
-  std::size_t shared = 0;
-  for (const auto& array : this->Arrays)
-  {
-    const std::size_t bytes = count * array->GetNumberOfComponents() * sizeof(double);
-    shared += bytes < enough ? bytes : 0;
-  }
-  ridges::SharedMemory memory(this->Arrays.size(), shared);
+  this->StatusArray->SetName(names::FitStatus);
+  std::vector<vtkDataArray*> arrays(this->Arrays.begin(), this->Arrays.end());
+  arrays.push_back(this->StatusArray);
+  vtkRidgesAllocate(arrays, count);
   for (std::size_t i = 0; i < this->Arrays.size(); ++i)
   {
-    vtkDoubleArray* array = this->Arrays[i];
-    const vtkIdType size = count * array->GetNumberOfComponents();
-    const std::size_t bytes = size * sizeof(double);
-    const bool shares = bytes < enough;
-    auto* values = static_cast<double*>(shares ? memory.Take(bytes) : ridges::AllocateLarge(bytes));
-    array->SetArray(values, size, 0, vtkAbstractArray::VTK_DATA_ARRAY_USER_DEFINED);
-    array->SetArrayFreeFunction(shares ? ridges::SharedMemory::Free : ridges::FreeLarge);
-    *this->Values[i] = values;
+    *this->Values[i] = this->Arrays[i]->GetPointer(0);
   }
-  this->StatusArray->SetName(names::FitStatus);
-  this->StatusArray->SetNumberOfTuples(count);
   this->Status = this->StatusArray->GetPointer(0);
 }

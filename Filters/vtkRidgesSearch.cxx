@@ -5,6 +5,7 @@
 #include "Core/SmallLoops.h"
 #include "Core/UmbilicForm.h"
 #include "vtkRidgesBatches.h"
+#include "vtkRidgesCollect.h"
 #include "vtkRidgesFitErrors.h"
 #include "vtkRidgesMesh.h"
 #include "vtkRidgesUmbilicMarks.h"
@@ -12,19 +13,10 @@
 #include "vtkPolyData.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace
 {
-
-struct FindCrossings
-{
-  ridges::RidgeCrossings& crossings;
-
-  void operator()(vtkIdType begin, vtkIdType end)
-  {
-    this->crossings.Find(static_cast<ridges::Id>(begin), static_cast<ridges::Id>(end));
-  }
-};
 
 struct PlaceCrossings
 {
@@ -34,58 +26,6 @@ struct PlaceCrossings
   {
     this->crossings.Place(static_cast<ridges::Id>(begin), static_cast<ridges::Id>(end));
   }
-};
-
-/// Marches chunks of triangles, each into segments of its own: their order does not depend on the
-/// threads.
-class MarchTriangles
-{
-public:
-  /// Triangles with a flag set in `isReplaced` are passed over.
-  MarchTriangles(const ridges::RidgeCrossings& crossings, ridges::TypeRule rule,
-    const std::vector<std::uint8_t>& isReplaced)
-    : Crossings(crossings)
-    , Rule(rule)
-    , IsReplaced(isReplaced)
-    , Segments((crossings.Mesh().NumberOfTriangles() + ChunkSize - 1) / ChunkSize)
-  {
-  }
-
-  vtkIdType GetNumberOfChunks() const { return static_cast<vtkIdType>(this->Segments.size()); }
-
-  void operator()(vtkIdType begin, vtkIdType end)
-  {
-    for (vtkIdType chunk = begin; chunk < end; ++chunk)
-    {
-      const auto first = static_cast<ridges::Id>(chunk * ChunkSize);
-      const ridges::Id last =
-        std::min<ridges::Id>(first + ChunkSize, this->Crossings.Mesh().NumberOfTriangles());
-      for (ridges::Id t = first; t < last; ++t)
-      {
-        if (!this->IsReplaced[t])
-        {
-          ridges::MarchTriangle(this->Crossings, this->Rule, t, this->Segments[chunk]);
-        }
-      }
-    }
-  }
-
-  /// Appends what was found.
-  void Collect(std::vector<ridges::RidgeSegment>& all) const
-  {
-    for (const auto& chunk : this->Segments)
-    {
-      all.insert(all.end(), chunk.begin(), chunk.end());
-    }
-  }
-
-private:
-  static constexpr ridges::Id ChunkSize = 8192;
-
-  const ridges::RidgeCrossings& Crossings;
-  ridges::TypeRule Rule;
-  const std::vector<std::uint8_t>& IsReplaced;
-  std::vector<std::vector<ridges::RidgeSegment>> Segments;
 };
 
 /// Traces ridges, each for itself.
@@ -153,12 +93,16 @@ bool vtkRidgesSearch::Find(vtkAlgorithm* filter, ridges::Color color, double fro
   const auto at = [from, to](double part) { return from + part * (to - from); };
   ridges::RidgeCrossings crossings(
     triangles, this->Field, color, this->CrossingRule, this->ExtremalityRule);
-  FindCrossings find{ crossings };
-  if (!vtkRidgesForBatches(filter, triangles.NumberOfEdges(), from, at(0.2), find))
+  const auto find = [&](ridges::Id begin, ridges::Id end, std::vector<ridges::Id>& edges)
+  { crossings.Find(begin, end, edges); };
+  vtkRidgesCollector<ridges::Id, decltype(find)> finder(triangles.NumberOfEdges(), find);
+  if (!vtkRidgesForBatches(filter, finder.GetNumberOfRanges(), from, at(0.2), finder, 64))
   {
     return false;
   }
-  crossings.Number();
+  std::vector<ridges::Id> crossed;
+  finder.AppendTo(crossed);
+  crossings.SetCrossed(std::move(crossed));
   PlaceCrossings place{ crossings };
   if (!vtkRidgesForBatches(filter, crossings.Size(), at(0.2), at(0.4), place))
   {
@@ -176,14 +120,26 @@ bool vtkRidgesSearch::Find(vtkAlgorithm* filter, ridges::Color color, double fro
       patchRidges.Draw(patch, segments, paths, isReplaced);
     }
   }
-  MarchTriangles march(crossings, this->TypeRule, isReplaced);
-  if (!vtkRidgesForBatches(filter, march.GetNumberOfChunks(), at(0.4), at(0.6), march, 64))
+  const auto march = [&](
+                       ridges::Id begin, ridges::Id end, std::vector<ridges::RidgeSegment>& pieces)
+  {
+    for (ridges::Id t = begin; t < end; ++t)
+    {
+      if (!isReplaced[t])
+      {
+        ridges::MarchTriangle(crossings, this->TypeRule, t, pieces);
+      }
+    }
+  };
+  vtkRidgesCollector<ridges::RidgeSegment, decltype(march)> marcher(
+    triangles.NumberOfTriangles(), march);
+  if (!vtkRidgesForBatches(filter, marcher.GetNumberOfRanges(), at(0.4), at(0.6), marcher, 64))
   {
     return false;
   }
-  march.Collect(segments);
+  marcher.AppendTo(segments);
 
-  std::vector<ridges::Ridge> whole = ridges::AssembleRidges(triangles, segments);
+  std::vector<ridges::Ridge> whole = ridges::AssembleRidges(crossings, segments);
   if (this->LoopSignificance > 0.0)
   {
     const ridges::SmallLoops smallLoops(

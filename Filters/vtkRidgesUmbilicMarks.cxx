@@ -2,6 +2,7 @@
 #include "vtkRidgesUmbilicMarks.h"
 
 #include "vtkRidgesArrayNames.h"
+#include "vtkRidgesCollect.h"
 #include "vtkRidgesMesh.h"
 
 #include "vtkCellData.h"
@@ -59,13 +60,17 @@ void vtkRidgesUmbilicMarks::FetchRegions(vtkDataArray* regions, std::size_t firs
 {
   auto* exact = vtkIdTypeArray::SafeDownCast(regions);
   const ridges::TriangleMesh& triangles = this->Mesh.GetTriangles();
-  for (ridges::Id t = 0; t < triangles.NumberOfTriangles(); ++t)
+  const auto regionOf = [&](ridges::Id t)
   {
     const vtkIdType cell = this->Mesh.GetCellId(t);
-    const vtkIdType region =
-      exact ? exact->GetValue(cell) : static_cast<vtkIdType>(regions->GetComponent(cell, 0));
+    return exact ? exact->GetValue(cell) : static_cast<vtkIdType>(regions->GetComponent(cell, 0));
+  };
+  for (const ridges::Id t :
+    vtkRidgesWhere(triangles.NumberOfTriangles(), [&](ridges::Id i) { return regionOf(i) >= 0; }))
+  {
+    const vtkIdType region = regionOf(t);
     // No more regions than triangles: other numbers are not of vtkUmbilicDetection.
-    if (region < 0 || region >= triangles.NumberOfTriangles())
+    if (region >= triangles.NumberOfTriangles())
     {
       continue;
     }
@@ -75,7 +80,7 @@ void vtkRidgesUmbilicMarks::FetchRegions(vtkDataArray* regions, std::size_t firs
       this->Patches.resize(patch + 1);
     }
     this->Patches[patch].triangles.push_back(t);
-    const auto umbilic = this->UmbilicOfCell.find(cell);
+    const auto umbilic = this->UmbilicOfCell.find(this->Mesh.GetCellId(t));
     if (umbilic != this->UmbilicOfCell.end() && umbilic->second == static_cast<vtkIdType>(patch))
     {
       this->Patches[patch].umbilic = t;

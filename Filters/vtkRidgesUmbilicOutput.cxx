@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRidgesUmbilicOutput.h"
 
+#include "vtkRidgesAllocate.h"
 #include "vtkRidgesArrayNames.h"
 #include "vtkRidgesMesh.h"
 
@@ -14,6 +15,7 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkSMPTools.h"
 
 namespace names = vtkRidgesArrayNames;
 
@@ -29,21 +31,20 @@ vtkNew<Array> MakeArray(const char* name, int components = 1)
   return array;
 }
 
-/// A cell array of the number of the region that a cell is in, -1 outside.
-vtkNew<vtkIdTypeArray> MakeRegionArray(const char* name, const vtkRidgesMesh& mesh,
-  vtkIdType numberOfCells, const std::vector<std::vector<ridges::Id>>& regions)
+using Regions = std::vector<std::vector<ridges::Id>>;
+
+/// The number of the region that a cell is in, -1 outside.
+void FillWithRegions(vtkIdTypeArray* array, const vtkRidgesMesh& mesh, const Regions& regions)
 {
-  auto array = MakeArray<vtkIdTypeArray>(name);
-  array->SetNumberOfTuples(numberOfCells);
-  array->Fill(-1);
+  vtkIdType* values = array->GetPointer(0);
+  vtkSMPTools::Fill(values, values + array->GetNumberOfTuples(), vtkIdType(-1));
   for (std::size_t i = 0; i < regions.size(); ++i)
   {
     for (const ridges::Id t : regions[i])
     {
-      array->SetValue(mesh.GetCellId(t), static_cast<vtkIdType>(i));
+      values[mesh.GetCellId(t)] = static_cast<vtkIdType>(i);
     }
   }
-  return array;
 }
 
 } // namespace
@@ -53,7 +54,7 @@ void vtkRidgesUmbilicOutput::MarkOnMesh(const vtkRidgesMesh& mesh, vtkPolyData* 
   output->ShallowCopy(mesh.GetPolyData());
   mesh.HandOnWith(output);
 
-  std::vector<std::vector<ridges::Id>> patches;
+  Regions patches;
   auto position = MakeArray<vtkDoubleArray>(names::UmbilicPosition, 3);
   auto index = MakeArray<vtkDoubleArray>(names::UmbilicIndex);
   auto ridgeCount = MakeArray<vtkIntArray>(names::UmbilicRidgeCount);
@@ -78,12 +79,17 @@ void vtkRidgesUmbilicOutput::MarkOnMesh(const vtkRidgesMesh& mesh, vtkPolyData* 
   auto numberOfZones = MakeArray<vtkIntArray>(names::NumberOfUmbilicZones);
   numberOfZones->InsertNextValue(static_cast<int>(this->zones.size()));
 
-  const vtkIdType numberOfCells = output->GetNumberOfCells();
+  auto patch = MakeArray<vtkIdTypeArray>(names::UmbilicPatch);
+  auto region = MakeArray<vtkIdTypeArray>(names::CancelledUmbilics);
+  auto zone = MakeArray<vtkIdTypeArray>(names::UmbilicZone);
+  vtkRidgesAllocate({ patch, region, zone }, output->GetNumberOfCells());
+  FillWithRegions(patch, mesh, patches);
+  FillWithRegions(region, mesh, this->cancelled);
+  FillWithRegions(zone, mesh, this->zones);
   vtkCellData* cellData = output->GetCellData();
-  cellData->AddArray(MakeRegionArray(names::UmbilicPatch, mesh, numberOfCells, patches));
-  cellData->AddArray(
-    MakeRegionArray(names::CancelledUmbilics, mesh, numberOfCells, this->cancelled));
-  cellData->AddArray(MakeRegionArray(names::UmbilicZone, mesh, numberOfCells, this->zones));
+  cellData->AddArray(patch);
+  cellData->AddArray(region);
+  cellData->AddArray(zone);
   // The field data is still the input's own, which is not ours to change.
   vtkNew<vtkFieldData> field;
   field->ShallowCopy(output->GetFieldData());

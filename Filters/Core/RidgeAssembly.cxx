@@ -15,19 +15,19 @@ constexpr Id None = -1;
 class Walker
 {
 public:
-  Walker(const TriangleMesh& mesh, const std::vector<RidgeSegment>& segments)
-    : Mesh_(mesh)
+  Walker(const RidgeCrossings& crossings, const std::vector<RidgeSegment>& segments)
+    : Crossings_(crossings)
     , Segments_(segments)
-    , AtEdge_(mesh.NumberOfEdges(), { None, None })
+    , At_(crossings.Size(), { None, None })
     , Visited_(segments.size(), false)
   {
     for (std::size_t s = 0; s < segments.size(); ++s)
     {
       for (const Id edge : { segments[s].edge0, segments[s].edge1 })
       {
-        if (edge != RidgeSegment::ToUmbilic && mesh.EdgeAt(edge).t1 >= 0)
+        if (edge != RidgeSegment::ToUmbilic && crossings.Mesh().EdgeAt(edge).t1 >= 0)
         {
-          auto& pair = this->AtEdge_[edge];
+          auto& pair = this->At_[crossings.NumberOf(edge)];
           pair[pair[0] == None ? 0 : 1] = static_cast<Id>(s);
         }
       }
@@ -39,11 +39,11 @@ public:
   /// The segment that continues across the edge, or None.
   Id Across(Id segment, Id edge) const
   {
-    if (edge == RidgeSegment::ToUmbilic || this->Mesh_.EdgeAt(edge).t1 < 0)
+    if (edge == RidgeSegment::ToUmbilic || this->Crossings_.Mesh().EdgeAt(edge).t1 < 0)
     {
       return None;
     }
-    const auto& pair = this->AtEdge_[edge];
+    const auto& pair = this->At_[this->Crossings_.NumberOf(edge)];
     return pair[0] == segment ? pair[1] : pair[0];
   }
 
@@ -73,18 +73,18 @@ private:
                                            : edge;
   }
 
-  const TriangleMesh& Mesh_;
+  const RidgeCrossings& Crossings_;
   const std::vector<RidgeSegment>& Segments_;
-  std::vector<std::array<Id, 2>> AtEdge_;
+  std::vector<std::array<Id, 2>> At_; ///< Segments at each crossing.
   std::vector<bool> Visited_;
 };
 
 } // namespace
 
 std::vector<Ridge> AssembleRidges(
-  const TriangleMesh& mesh, const std::vector<RidgeSegment>& segments)
+  const RidgeCrossings& crossings, const std::vector<RidgeSegment>& segments)
 {
-  Walker walker(mesh, segments);
+  Walker walker(crossings, segments);
   const Id count = static_cast<Id>(segments.size());
   std::vector<Ridge> ridges;
   for (Id s = 0; s < count; ++s)

@@ -26,12 +26,12 @@ struct Ridge
 };
 
 /**
- * Joins segments of one colour end to end, in time linear in their number and in the edges of
- * the mesh. Every segment comes out in exactly one ridge. Ridges stop at umbilics, on the border
- * and at non-manifold edges, and nowhere else.
+ * Joins segments of one colour end to end, in time linear in their number. Every segment comes out
+ * in exactly one ridge. Ridges stop at umbilics, on the border and at non-manifold edges, and
+ * nowhere else.
  */
 std::vector<Ridge> AssembleRidges(
-  const TriangleMesh& mesh, const std::vector<RidgeSegment>& segments);
+  const RidgeCrossings& crossings, const std::vector<RidgeSegment>& segments);
 
 } // namespace ridges
 

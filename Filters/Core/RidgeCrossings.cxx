@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "RidgeCrossings.h"
 
+#include <utility>
+
 namespace ridges
 {
 
@@ -11,11 +13,11 @@ RidgeCrossings::RidgeCrossings(const TriangleMesh& mesh, const MongeField& field
   , Color_(color)
   , Rule_(rule)
   , Extremality_(extremality)
-  , Numbers_(mesh.NumberOfEdges(), NotCrossed)
+  , Numbers_(mesh.NumberOfEdges())
 {
 }
 
-void RidgeCrossings::Find(Id beginEdge, Id endEdge)
+void RidgeCrossings::Find(Id beginEdge, Id endEdge, std::vector<Id>& crossed)
 {
   for (Id e = beginEdge; e < endEdge; ++e)
   {
@@ -23,24 +25,20 @@ void RidgeCrossings::Find(Id beginEdge, Id endEdge)
     const auto changes = [&](Color color)
     { return ridges::IsCrossed(this->Field_, color, edge.v0, edge.v1); };
     // The product changes where one of its factors does, in whatever frame.
-    const bool crossed = this->Extremality_ == ExtremalityRule::Principal
+    const bool isCrossed = this->Extremality_ == ExtremalityRule::Principal
       ? changes(this->Color_)
       : changes(Color::Blue) != changes(Color::Red);
-    this->Numbers_[e] = crossed ? 0 : NotCrossed;
+    this->Numbers_[e] = NotCrossed;
+    if (isCrossed)
+    {
+      crossed.push_back(e);
+    }
   }
 }
 
-void RidgeCrossings::Number()
+void RidgeCrossings::SetCrossed(std::vector<Id> edges)
 {
-  this->Edges_.clear();
-  for (Id e = 0; e < this->Mesh_.NumberOfEdges(); ++e)
-  {
-    if (this->Numbers_[e] != NotCrossed)
-    {
-      this->Numbers_[e] = static_cast<Id>(this->Edges_.size());
-      this->Edges_.push_back(e);
-    }
-  }
+  this->Edges_ = std::move(edges);
   this->Points_.resize(this->Edges_.size());
 }
 
@@ -48,6 +46,7 @@ void RidgeCrossings::Place(Id begin, Id end)
 {
   for (Id i = begin; i < end; ++i)
   {
+    this->Numbers_[this->Edges_[i]] = i;
     Color color = this->Color_;
     if (this->Extremality_ == ExtremalityRule::Gaussian)
     {
@@ -62,8 +61,9 @@ void RidgeCrossings::Place(Id begin, Id end)
 
 void RidgeCrossings::Build()
 {
-  this->Find(0, this->Mesh_.NumberOfEdges());
-  this->Number();
+  std::vector<Id> crossed;
+  this->Find(0, this->Mesh_.NumberOfEdges(), crossed);
+  this->SetCrossed(std::move(crossed));
   this->Place(0, this->Size());
 }
 

@@ -22,8 +22,8 @@ enum class ExtremalityRule
  * The edges that ridges of one colour cross, and the points where they do, each found once: an edge
  * has two triangles, and the point is asked for again when the ridge is put together.
  *
- * Find marks ranges of edges, Number counts what was found, Place finds ranges of points. Ranges of
- * one step may be done at the same time; Build does all.
+ * Find looks at ranges of edges, all of which are to be looked at; Place finds ranges of points.
+ * Ranges of one step may be done at the same time; Build does all.
  */
 class RidgeCrossings
 {
@@ -32,8 +32,10 @@ public:
   RidgeCrossings(const TriangleMesh& mesh, const MongeField& field, Color color, CrossingRule rule,
     ExtremalityRule extremality = ExtremalityRule::Principal);
 
-  void Find(Id beginEdge, Id endEdge);
-  void Number();
+  /// Appends the edges of a range that are crossed.
+  void Find(Id beginEdge, Id endEdge, std::vector<Id>& crossed);
+  /// Takes all that Find has found.
+  void SetCrossed(std::vector<Id> edges);
   void Place(Id begin, Id end);
 
   void Build();
@@ -44,6 +46,9 @@ public:
 
   Id Size() const { return static_cast<Id>(this->Edges_.size()); }
   bool IsCrossed(Id edge) const { return this->Numbers_[edge] >= 0; }
+
+  /// Counts the edges that are crossed, in no order that matters.
+  Id NumberOf(Id edge) const { return this->Numbers_[edge]; }
 
   /// The point on an edge that is crossed.
   const RidgePoint& PointOn(Id edge) const { return this->Points_[this->Numbers_[edge]]; }
@@ -56,8 +61,8 @@ private:
   Color Color_;
   CrossingRule Rule_;
   ExtremalityRule Extremality_;
-  std::vector<Id> Numbers_; ///< Per edge.
-  std::vector<Id> Edges_;   ///< Per crossing.
+  Buffer<Id> Numbers_;    ///< Per edge.
+  std::vector<Id> Edges_; ///< Per crossing.
   std::vector<RidgePoint> Points_;
 };
 

@@ -65,6 +65,15 @@ inline std::vector<RidgeSegment> MarchMesh(
   return segments;
 }
 
+// The ridges of those segments.
+inline std::vector<Ridge> AssembleMesh(const TriangleMesh& mesh, const MongeField& field,
+  Color color, const std::vector<RidgeSegment>& segments)
+{
+  RidgeCrossings crossings(mesh, field, color, CrossingRule::Form);
+  crossings.Build();
+  return AssembleRidges(crossings, segments);
+}
+
 // The points of the nodes of a ridge.
 inline std::vector<RidgePoint> PointsOf(
   const TriangleMesh& mesh, const MongeField& field, Color color, const Ridge& ridge)

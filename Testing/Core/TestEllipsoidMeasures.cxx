@@ -54,7 +54,7 @@ Errors Compare(const EllipsoidRidgePiece& piece, int frequency)
   const UmbilicCutOff cutOff(umbilics, CutOff * EllipsoidAxes[0]);
 
   Errors errors{ type, { 0.0, 0.0, 0.0 }, 0 };
-  for (const Ridge& ridge : AssembleRidges(mesh, segments))
+  for (const Ridge& ridge : AssembleMesh(mesh, field, color, segments))
   {
     if (segments[ridge.segments[ridge.segments.size() / 2]].type != type)
     {

@@ -138,7 +138,7 @@ EllipsoidCount ExtractEllipsoid(int frequency)
   for (const Color color : { Color::Blue, Color::Red })
   {
     const auto segments = MarchMesh(ellipsoid.Triangles(), field, color, TypeRule::FourthOrder);
-    for (const Ridge& ridge : AssembleRidges(ellipsoid.Triangles(), segments))
+    for (const Ridge& ridge : AssembleMesh(ellipsoid.Triangles(), field, color, segments))
     {
       // By its middle: a run near an umbilic with a wrong sign of P does not make another ridge.
       const RidgeType type = segments[ridge.segments[ridge.segments.size() / 2]].type;
@@ -200,7 +200,7 @@ TEST(RidgeAssembly, UsesEverySegmentOnceAndEndsOnlyWhereItMay)
       {
         const auto segments =
           MarchMesh(surface.Triangles(), arrays.View(), color, TypeRule::FourthOrder);
-        const auto ridges = AssembleRidges(surface.Triangles(), segments);
+        const auto ridges = AssembleMesh(surface.Triangles(), arrays.View(), color, segments);
         CheckRidges(surface.Triangles(), arrays.View(), segments, ridges, tally);
       }
     }
@@ -215,7 +215,8 @@ TEST(RidgeAssembly, UsesEverySegmentOnceAndEndsOnlyWhereItMay)
 TEST(RidgeAssembly, OfNoSegmentsIsEmpty)
 {
   const MeshedSurface surface(Icosphere(2));
-  EXPECT_TRUE(AssembleRidges(surface.Triangles(), {}).empty());
+  const FieldArrays arrays = RandomField(surface.Triangles(), 1, 4);
+  EXPECT_TRUE(AssembleMesh(surface.Triangles(), arrays.View(), Color::Blue, {}).empty());
 }
 
 //------------------------------------------------------------------------------

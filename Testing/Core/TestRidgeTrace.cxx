@@ -78,7 +78,7 @@ std::vector<RidgeTrace> TraceAll(
   crossings.Build();
   const auto segments = MarchMesh(mesh, field, color, rule);
   std::vector<RidgeTrace> traces;
-  for (const Ridge& ridge : AssembleRidges(mesh, segments))
+  for (const Ridge& ridge : AssembleRidges(crossings, segments))
   {
     traces.push_back(TraceRidge(ridge, segments, {}, crossings, rule, {}));
   }

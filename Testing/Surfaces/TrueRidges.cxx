@@ -326,7 +326,7 @@ std::vector<TrueRidge> FindRidges(
       MarchTriangle(crossings, TypeRule::FourthOrder, t, segments);
     }
     const RidgeMaker maker(surface, umbilics, crossings, meshed.MeanEdge());
-    for (const Ridge& ridge : AssembleRidges(mesh, segments))
+    for (const Ridge& ridge : AssembleRidges(crossings, segments))
     {
       found.push_back(maker.Make(ridge));
     }
