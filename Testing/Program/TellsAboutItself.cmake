@@ -5,7 +5,15 @@ expect("${output}"
   "Usage: vtkridges \\[MESH\\]" "Input:" "Jet fitting:" "Umbilics:" "Ridges:" "Filter:" "Output:"
   "General:" "Exit codes: 0 done; 1 the job failed")
 # Defaults and ranges are those of the filters.
-expect("${output}" "--degree N [^-]*\\(1 to[ \n]*4\\) \\[4\\]" "--frequency N [^-]*\\[63\\]")
+string(REGEX REPLACE "[ \n]+" " " text "${output}")
+expect("${text}" "--degree N [^()]*\\(1 to 4\\) \\[4\\]"
+  "--frequency N [^()]*points \\(1 to 2000\\) \\[63\\]"
+  "--umbilic-method NAME [^()]*: indices, minima \\[indices\\]"
+  "--umbilic-significance ERRORS [^()]*\\(0 to 100\\) \\[3\\]"
+  "--extremality-rule NAME [^()]*: principal, gaussian \\[principal\\]"
+  "--umbilic-joining NAME [^()]*: patches, triangles \\[patches\\]"
+  "--loop-significance ERRORS [^()]*\\(0 to 100\\) \\[3\\]"
+  "--type-hysteresis EDGES [^()]*\\(0 to 1000\\) \\[0\\]")
 file(WRITE "${DIRECTORY}/help.txt" "${output}")
 file(STRINGS "${DIRECTORY}/help.txt" long_lines LENGTH_MINIMUM 81)
 file(REMOVE "${DIRECTORY}/help.txt")

@@ -111,12 +111,24 @@ void AddJetFitting(CLI::App& app, vtkJetFitting* filter)
 void AddUmbilics(CLI::App& app, vtkUmbilicDetection* filter)
 {
   OptionGroup group(app, "Umbilics");
+  group.Choice(
+    "--umbilic-method",
+    { { "indices", vtkUmbilicDetection::INDICES }, { "minima", vtkUmbilicDetection::MINIMA } },
+    filter->GetMethod(), [=](int value) { filter->SetMethod(value); },
+    "how umbilics are found: by the index of every triangle, so that none is lost, or as the "
+    "paper's minima of k1 - k2");
+  group.Number<double>(
+    "--umbilic-significance", "ERRORS", filter->GetSignificance(),
+    { filter->GetSignificanceMinValue(), filter->GetSignificanceMaxValue() },
+    [=](double value) { filter->SetSignificance(value); },
+    "with indices: standard errors by which k1 - k2 has to differ from 0; opposite umbilics that "
+    "are joined by places where it does not cancel each other, as noise may have made them");
   group.Number<double>(
     "--patch-size", "FACTOR", filter->GetPatchSize(),
     { filter->GetPatchSizeMinValue(), filter->GetPatchSizeMaxValue() },
     [=](double value) { filter->SetPatchSize(value); },
-    "size of the patch around an umbilic, in sizes of the triangles there; larger ones find fewer "
-    "umbilics");
+    "size of the patch around an umbilic, in sizes of the triangles there; with minima larger ones "
+    "find fewer umbilics");
 }
 
 void AddRidges(CLI::App& app, vtkRidgeExtraction* filter)
@@ -142,6 +154,31 @@ void AddRidges(CLI::App& app, vtkRidgeExtraction* filter)
       { "third-order", vtkRidgeExtraction::THIRD_ORDER } },
     filter->GetTypeRule(), [=](int value) { filter->SetTypeRule(value); },
     "derivatives that decide whether a ridge is elliptic or hyperbolic");
+  group.Choice(
+    "--extremality-rule",
+    { { "principal", vtkRidgeExtraction::PRINCIPAL },
+      { "gaussian", vtkRidgeExtraction::GAUSSIAN } },
+    filter->GetExtremalityRule(), [=](int value) { filter->SetExtremalityRule(value); },
+    "what is taken for a ridge: where a principal curvature is extremal, or, for comparison, where "
+    "the product of both extremalities changes sign, regardless of umbilics");
+  group.Choice(
+    "--umbilic-joining",
+    { { "patches", vtkRidgeExtraction::PATCHES }, { "triangles", vtkRidgeExtraction::TRIANGLES } },
+    filter->GetUmbilicJoining(), [=](int value) { filter->SetUmbilicJoining(value); },
+    "with principal: where ridges are joined to umbilics, in their patches or, less reliably, in "
+    "single triangles");
+  group.Number<double>(
+    "--loop-significance", "ERRORS", filter->GetLoopSignificance(),
+    { filter->GetLoopSignificanceMinValue(), filter->GetLoopSignificanceMaxValue() },
+    [=](double value) { filter->SetLoopSignificance(value); },
+    "small loops are left out where their extremality is within this many standard errors of 0, as "
+    "noise may have made them; 0 keeps all");
+  group.Number<double>(
+    "--type-hysteresis", "EDGES", filter->GetTypeHysteresis(),
+    { filter->GetTypeHysteresisMinValue(), filter->GetTypeHysteresisMaxValue() },
+    [=](double value) { filter->SetTypeHysteresis(value); },
+    "length, in mean edges, below which a run of one type between two of another takes on that "
+    "type; 0 changes none, as short runs may be true");
   group.Number<double>(
     "--model-size", "LENGTH", filter->GetModelSize(),
     { filter->GetModelSizeMinValue(), filter->GetModelSizeMaxValue() },
@@ -323,6 +360,18 @@ void Check(const CLI::App& app, const Options& options, const Filters& filters)
   if (options.check && app.count("--extract") + app.count("--crest-only") > 0)
   {
     throw Contradiction("--check is about all ridges, without --extract and --crest-only");
+  }
+  if (filters.ridges->GetExtremalityRule() == vtkRidgeExtraction::GAUSSIAN)
+  {
+    if (options.check)
+    {
+      throw Contradiction("--check is about --extremality-rule principal, not gaussian");
+    }
+    if (app.count("--extract") > 0)
+    {
+      throw Contradiction(
+        "--extract does not go with --extremality-rule gaussian, which is of both");
+    }
   }
   for (const std::optional<Vector3>& direction : { options.picture.view, options.picture.up })
   {
