@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <numeric>
 #include <tuple>
 #include <utility>
 
@@ -18,63 +17,20 @@ using Eigen::Vector3d;
 namespace
 {
 
-//------------------------------------------------------------------------------
-double LengthOf(const std::vector<Vector3d>& points)
-{
-  double length = 0.0;
-  for (std::size_t i = 1; i < points.size(); ++i)
-  {
-    length += (points[i] - points[i - 1]).norm();
-  }
-  return length;
-}
-
-//------------------------------------------------------------------------------
-double LengthOf(const FoundRidge& ridge)
-{
-  double length = 0.0;
-  for (const FoundLine& line : ridge.lines)
-  {
-    length += LengthOf(line.points);
-  }
-  return length;
-}
-
-//------------------------------------------------------------------------------
-// Both ends and the middle of each segment, each with its share of the length.
-template <typename Visitor>
-void ForSamples(const std::vector<Vector3d>& points, const Visitor& visit)
-{
-  for (std::size_t i = 1; i < points.size(); ++i)
-  {
-    const double length = (points[i] - points[i - 1]).norm();
-    visit(points[i - 1], 0.25 * length);
-    visit(0.5 * (points[i - 1] + points[i]), 0.5 * length);
-    visit(points[i], 0.25 * length);
-  }
-}
-
 const char* const Colors[2] = { "blue", "red" };
 const char* const Types[5] = { "undecided", "blue ell", "green hyp", "red ell", "yellow hyp" };
 
 } // namespace
 
 //------------------------------------------------------------------------------
-bool FoundRidge::IsMaximum() const
-{
-  return std::any_of(this->lines.begin(), this->lines.end(),
-    [](const FoundLine& line) { return line.type == 1 || line.type == 2; });
-}
-
-//------------------------------------------------------------------------------
 RidgeComparison::RidgeComparison(Truth truth, FoundPicture found, double edge)
   : True(std::move(truth))
   , Found(std::move(found))
   , Edge(edge)
+  , OfFound(MeasureFound(this->True.ridges, this->Found.ridges, edge))
+  , OfTrue(MeasureTrue(this->True.ridges, this->Found.ridges, edge))
 {
   this->MatchUmbilics();
-  this->MeasureFound();
-  this->MeasureTrue();
   this->MatchRidges();
 }
 
@@ -105,148 +61,6 @@ void RidgeComparison::MatchUmbilics()
       this->FoundOfTrue[i] = j;
       this->TrueOfFound[j] = i;
     }
-  }
-}
-
-//------------------------------------------------------------------------------
-RidgeComparison::Coverage RidgeComparison::Summarize(std::vector<Sample> samples)
-{
-  Coverage coverage;
-  std::sort(samples.begin(), samples.end(),
-    [](const Sample& a, const Sample& b) { return a.distance < b.distance; });
-  const double total = std::accumulate(samples.begin(), samples.end(), 0.0,
-    [](double sum, const Sample& sample) { return sum + sample.length; });
-  double sum = 0.0;
-  for (const Sample& sample : samples)
-  {
-    sum += sample.length;
-    coverage.mean += sample.distance * sample.length / total;
-    coverage.percentile95 = sum <= 0.95 * total ? sample.distance : coverage.percentile95;
-    coverage.off += sample.distance > 1.0 ? sample.length : 0.0;
-  }
-  return coverage;
-}
-
-//------------------------------------------------------------------------------
-bool RidgeComparison::TypeIsRight(int type, const SegmentGrid::Hit& hit) const
-{
-  const TrueRidge& ridge = this->True.ridges[hit.line];
-  const bool elliptic = type == 1 || type == 3;
-  // Any place within an edge of the turning point will do.
-  const Vector3d at = ridge.points[hit.segment];
-  for (const int step : { -1, 1 })
-  {
-    for (int i = hit.segment; i >= 0 && i < static_cast<int>(ridge.points.size()); i += step)
-    {
-      if ((ridge.P[i] < 0.0) == elliptic)
-      {
-        return true;
-      }
-      if ((ridge.points[i] - at).norm() > this->Edge)
-      {
-        break;
-      }
-    }
-  }
-  return false;
-}
-
-//------------------------------------------------------------------------------
-void RidgeComparison::MeasureFound()
-{
-  std::array<SegmentGrid, 2> grids{ SegmentGrid(Reach * this->Edge),
-    SegmentGrid(Reach * this->Edge) };
-  for (std::size_t r = 0; r < this->True.ridges.size(); ++r)
-  {
-    const TrueRidge& ridge = this->True.ridges[r];
-    for (std::size_t i = 1; i < ridge.points.size(); ++i)
-    {
-      grids[ridge.maximum ? 0 : 1].Add(
-        ridge.points[i - 1], ridge.points[i], static_cast<int>(r), static_cast<int>(i) - 1);
-    }
-  }
-
-  std::array<std::vector<Sample>, 2> samples;
-  std::array<Coverage, 2> worst;
-  for (const FoundRidge& ridge : this->Found.ridges)
-  {
-    const int color = ridge.IsMaximum() ? 0 : 1;
-    std::vector<double> lengthOn(this->True.ridges.size() + 1, 0.0);
-    for (const FoundLine& line : ridge.lines)
-    {
-      ForSamples(line.points,
-        [&](const Vector3d& point, double length)
-        {
-          const SegmentGrid::Hit hit = grids[color].Nearest(point);
-          const double distance = std::min(Reach, hit.distance / this->Edge);
-          samples[color].push_back({ distance, length });
-          if (distance > worst[color].greatest)
-          {
-            worst[color].greatest = distance;
-            worst[color].farthest = point;
-          }
-          const bool near = distance <= 1.0;
-          lengthOn[near ? hit.line : this->True.ridges.size()] += length;
-          if (near && line.type != 0 && !this->TypeIsRight(line.type, hit))
-          {
-            worst[color].wrongType += length;
-          }
-        });
-    }
-    const auto most = std::max_element(lengthOn.begin(), lengthOn.end() - 1);
-    const bool spurious = lengthOn.back() > 0.5 * LengthOf(ridge);
-    this->RidgeOfFound.push_back(spurious ? -1 : static_cast<int>(most - lengthOn.begin()));
-  }
-  for (int color = 0; color < 2; ++color)
-  {
-    this->FoundCoverage[color] = Summarize(samples[color]);
-    this->FoundCoverage[color].greatest = worst[color].greatest;
-    this->FoundCoverage[color].farthest = worst[color].farthest;
-    this->FoundCoverage[color].wrongType = worst[color].wrongType;
-  }
-}
-
-//------------------------------------------------------------------------------
-void RidgeComparison::MeasureTrue()
-{
-  std::array<SegmentGrid, 2> grids{ SegmentGrid(Reach * this->Edge),
-    SegmentGrid(Reach * this->Edge) };
-  for (std::size_t r = 0; r < this->Found.ridges.size(); ++r)
-  {
-    for (const FoundLine& line : this->Found.ridges[r].lines)
-    {
-      for (std::size_t i = 1; i < line.points.size(); ++i)
-      {
-        grids[this->Found.ridges[r].IsMaximum() ? 0 : 1].Add(
-          line.points[i - 1], line.points[i], static_cast<int>(r), 0);
-      }
-    }
-  }
-  std::array<std::vector<Sample>, 2> samples;
-  std::array<Coverage, 2> worst;
-  for (const TrueRidge& ridge : this->True.ridges)
-  {
-    const int color = ridge.maximum ? 0 : 1;
-    double missing = 0.0;
-    ForSamples(ridge.points,
-      [&](const Vector3d& point, double length)
-      {
-        const double distance = std::min(Reach, grids[color].Nearest(point).distance / this->Edge);
-        samples[color].push_back({ distance, length });
-        missing += distance > 1.0 ? length : 0.0;
-        if (distance > worst[color].greatest)
-        {
-          worst[color].greatest = distance;
-          worst[color].farthest = point;
-        }
-      });
-    this->MissingOfTrue.push_back(missing);
-  }
-  for (int color = 0; color < 2; ++color)
-  {
-    this->TrueCoverage[color] = Summarize(samples[color]);
-    this->TrueCoverage[color].greatest = worst[color].greatest;
-    this->TrueCoverage[color].farthest = worst[color].farthest;
   }
 }
 
@@ -295,9 +109,9 @@ void RidgeComparison::MatchRidges()
     std::string pieces;
     int count = 0;
     bool same = true;
-    for (std::size_t f = 0; f < this->RidgeOfFound.size(); ++f)
+    for (std::size_t f = 0; f < this->OfFound.ridges.size(); ++f)
     {
-      if (this->RidgeOfFound[f] == static_cast<int>(r))
+      if (this->OfFound.ridges[f] == static_cast<int>(r))
       {
         const std::vector<int> ends = this->TrueEndsOf(this->Found.ridges[f]);
         std::snprintf(text, sizeof text, " %s (%.1f)", this->NameOfEnds(ends).c_str(),
@@ -308,9 +122,9 @@ void RidgeComparison::MatchRidges()
       }
     }
     const double length = LengthOf(ridge.points);
-    const bool missing = this->MissingOfTrue[r] > 0.5 * length;
+    const bool missing = this->OfTrue.missing[r] > 0.5 * length;
     this->MissingRidges += missing ? 1 : 0;
-    if (count == 1 && same && this->MissingOfTrue[r] < 0.05 * length)
+    if (count == 1 && same && this->OfTrue.missing[r] < 0.05 * length)
     {
       ++this->WholeRidges;
       continue;
@@ -318,13 +132,13 @@ void RidgeComparison::MatchRidges()
     std::snprintf(text, sizeof text,
       "  %-4s %-7s length %7.1f, missing %6.1f, at %.3f %.3f %.3f; found:",
       Colors[ridge.maximum ? 0 : 1], this->NameOfEnds(expected).c_str(), length / this->Edge,
-      this->MissingOfTrue[r] / this->Edge, ridge.points[ridge.points.size() / 2].x(),
+      this->OfTrue.missing[r] / this->Edge, ridge.points[ridge.points.size() / 2].x(),
       ridge.points[ridge.points.size() / 2].y(), ridge.points[ridge.points.size() / 2].z());
     this->RidgeFaults.push_back(text + (pieces.empty() ? std::string(" nothing") : pieces));
   }
-  for (std::size_t f = 0; f < this->RidgeOfFound.size(); ++f)
+  for (std::size_t f = 0; f < this->OfFound.ridges.size(); ++f)
   {
-    if (this->RidgeOfFound[f] < 0)
+    if (this->OfFound.ridges[f] < 0)
     {
       ++this->SpuriousRidges;
       const FoundRidge& ridge = this->Found.ridges[f];
@@ -427,7 +241,7 @@ void RidgeComparison::PrintTables(int eulerCharacteristic) const
   {
     for (const bool isFound : { true, false })
     {
-      const Coverage& coverage = (isFound ? this->FoundCoverage : this->TrueCoverage)[color];
+      const Coverage& coverage = (isFound ? this->OfFound.colors : this->OfTrue.colors)[color];
       std::printf("  %-4s %-17s %8.4f %7.4f %7.3f  (%7.3f %7.3f %7.3f)  %10.1f  %10.1f\n",
         Colors[color], isFound ? "found to true" : "true to found", coverage.mean,
         coverage.percentile95, coverage.greatest, coverage.farthest.x(), coverage.farthest.y(),
@@ -496,8 +310,9 @@ void RidgeComparison::PrintLine(int eulerCharacteristic) const
               "%d/%zu whole, %d missing, %d spurious; 95%% %.3f %.3f max %.2f %.2f%s\n",
     right, this->True.umbilics.size(), static_cast<int>(spurious), joined, farthest, indexSum,
     eulerCharacteristic, this->WholeRidges, this->True.ridges.size(), this->MissingRidges,
-    this->SpuriousRidges, this->FoundCoverage[0].percentile95, this->FoundCoverage[1].percentile95,
-    this->FoundCoverage[0].greatest, this->FoundCoverage[1].greatest,
+    this->SpuriousRidges, this->OfFound.colors[0].percentile95,
+    this->OfFound.colors[1].percentile95, this->OfFound.colors[0].greatest,
+    this->OfFound.colors[1].greatest,
     DoubtsAbout(this->True.ridges, this->True.umbilics).empty() ? "" : " (reference in doubt)");
 }
 
