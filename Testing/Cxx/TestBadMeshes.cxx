@@ -141,9 +141,10 @@ TEST(BadMeshes, TrianglesWithoutAreaAreNoCrash)
   Mesh mesh;
   for (int j = 0; j <= 20; ++j)
   {
+    const int even = j - j % 2;
     for (int i = 0; i <= 20; ++i)
     {
-      mesh.AddPoint({ 0.1 * i, 0.1 * (j / 2 * 2), 0.1 * std::sin(0.3 * i) });
+      mesh.AddPoint({ 0.1 * i, 0.1 * even, 0.1 * std::sin(0.3 * i) });
     }
   }
   for (int j = 0; j < 20; ++j)

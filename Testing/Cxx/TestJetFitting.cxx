@@ -23,9 +23,10 @@ namespace names = vtkRidgesArrayNames;
 namespace
 {
 
-constexpr double a = 1.4;
-constexpr double b = 1.0;
-constexpr double c = 0.6;
+AnalyticSurface Ellipsoid()
+{
+  return MakeEllipsoid(1.4, 1.0, 0.6);
+}
 
 /// Largest errors over a mesh, where the frame is well determined; d and b up to half a turn.
 struct MongeErrors
@@ -188,7 +189,7 @@ TEST(JetFitting, SphereHasMinusOneOverItsRadius)
 // twice what was found.
 TEST(JetFitting, ConvergesToTheExactMongeFormOfTheEllipsoid)
 {
-  const AnalyticSurface surface = MakeEllipsoid(a, b, c);
+  const AnalyticSurface surface = Ellipsoid();
   const MongeErrors coarse = CompareWithExact(Fit(EllipsoidData(32)), surface);
   const MongeErrors fine = CompareWithExact(Fit(EllipsoidData(64)), surface);
   EXPECT_GT(fine.compared, 35000);
@@ -299,7 +300,7 @@ TEST(JetFitting, PrintsEveryProperty)
 // where triangles are small, has sixteen times as much (the error grows as its radius^4).
 TEST(JetFitting, EveryKindOfNeighborhoodFits)
 {
-  const AnalyticSurface surface = MakeEllipsoid(a, b, c);
+  const AnalyticSurface surface = Ellipsoid();
   const auto mesh = EllipsoidData(32);
   vtkNew<vtkJetFitting> jets;
   jets->SetNeighborhoodToRings();

@@ -29,16 +29,16 @@ namespace
 struct Fitting
 {
   explicit Fitting(vtkPolyData* mesh)
-    : Recorder(this->Jets)
+    : recorder(this->jets)
   {
-    this->Jets->SetInputData(mesh);
-    this->Jets->Update();
+    this->jets->SetInputData(mesh);
+    this->jets->Update();
   }
-  vtkPolyData* Output() { return this->Jets->GetOutput(); }
-  vtkPointData* Data() { return this->Jets->GetOutput()->GetPointData(); }
+  vtkPolyData* Output() { return this->jets->GetOutput(); }
+  vtkPointData* Data() { return this->jets->GetOutput()->GetPointData(); }
 
-  vtkNew<vtkJetFitting> Jets;
-  MessageRecorder Recorder;
+  vtkNew<vtkJetFitting> jets;
+  MessageRecorder recorder;
 };
 
 /// A smooth graph whose Monge form is known.
@@ -142,7 +142,7 @@ TEST(JetFittingInput, FloatPointsGiveNearlyTheSameAsDoublePoints)
   EXPECT_LT(change, 1e-4);
   EXPECT_LT(changeOfThird, 1e-2);
   EXPECT_EQ(rounded.Output()->GetPoints()->GetDataType(), VTK_FLOAT);
-  EXPECT_EQ(rounded.Recorder.NumberOfWarnings(), 0u);
+  EXPECT_EQ(rounded.recorder.NumberOfWarnings(), 0u);
 }
 
 TEST(JetFittingInput, NormalsAreOnTheSideOfTheOrientation)
@@ -191,7 +191,7 @@ TEST(JetFittingInput, VertsAndLinesAreKeptAndPassedOver)
   mixed->SetLines(lines);
   Fitting expected(plain);
   Fitting fitting(mixed);
-  EXPECT_EQ(fitting.Recorder.NumberOfWarnings(), 0u);
+  EXPECT_EQ(fitting.recorder.NumberOfWarnings(), 0u);
   EXPECT_EQ(fitting.Output()->GetNumberOfVerts(), 2);
   EXPECT_EQ(fitting.Output()->GetNumberOfLines(), 1);
   EXPECT_EQ(fitting.Output()->GetNumberOfPolys(), plain->GetNumberOfPolys());
@@ -204,8 +204,8 @@ TEST(JetFittingInput, QuadsAreTriangulatedWithOneWarning)
 {
   Fitting fitting(QuadPatch(12));
   EXPECT_EQ(fitting.Output()->GetNumberOfPolys(), 2 * 12 * 12);
-  EXPECT_EQ(fitting.Recorder.NumberOfWarnings(), 1u);
-  EXPECT_NE(fitting.Recorder.WarningText().find("144 polygons or strips were triangulated"),
+  EXPECT_EQ(fitting.recorder.NumberOfWarnings(), 1u);
+  EXPECT_NE(fitting.recorder.WarningText().find("144 polygons or strips were triangulated"),
     std::string::npos);
   ExpectArray(fitting.Data(), names::ThirdOrder, VTK_DOUBLE, 4, 13 * 13);
 }
@@ -220,8 +220,8 @@ TEST(JetFittingInput, StripsAreTriangulatedWithOneWarning)
   ASSERT_GT(cells, 0);
   Fitting expected(mesh);
   Fitting fitting(stripper->GetOutput());
-  EXPECT_EQ(fitting.Recorder.NumberOfWarnings(), 1u);
-  EXPECT_NE(fitting.Recorder.WarningText().find(std::to_string(cells) + " polygons or strips"),
+  EXPECT_EQ(fitting.recorder.NumberOfWarnings(), 1u);
+  EXPECT_NE(fitting.recorder.WarningText().find(std::to_string(cells) + " polygons or strips"),
     std::string::npos);
   EXPECT_EQ(fitting.Output()->GetNumberOfPolys(), mesh->GetNumberOfPolys());
   for (vtkIdType p = 0; p < mesh->GetNumberOfPoints(); ++p)
@@ -237,7 +237,7 @@ TEST(JetFittingInput, BorderIsFlaggedAndRightOnASmoothPatch)
   const int n = 24;
   const auto mesh = ToPolyData(GraphPatch(Height, 0.5, n, 0.2, 5));
   Fitting fitting(mesh);
-  EXPECT_EQ(fitting.Recorder.NumberOfWarnings(), 0u) << fitting.Recorder.WarningText();
+  EXPECT_EQ(fitting.recorder.NumberOfWarnings(), 0u) << fitting.recorder.WarningText();
   int flagged = 0;
   for (vtkIdType p = 0; p < mesh->GetNumberOfPoints(); ++p)
   {

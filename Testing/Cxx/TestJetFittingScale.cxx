@@ -30,7 +30,7 @@ vtkSmartPointer<vtkPolyData> Fit(vtkJetFitting* jets, vtkPolyData* mesh)
 {
   jets->SetInputData(mesh);
   jets->Update();
-  const auto fitted = vtkSmartPointer<vtkPolyData>::New();
+  auto fitted = vtkSmartPointer<vtkPolyData>::New();
   fitted->ShallowCopy(jets->GetOutput());
   return fitted;
 }

@@ -31,28 +31,28 @@ struct Chain
 {
   Chain()
   {
-    this->Umbilics->SetInputConnection(this->Jets->GetOutputPort());
-    this->Ridges->SetInputConnection(this->Umbilics->GetOutputPort());
-    this->Sharpness->SetInputConnection(this->Ridges->GetOutputPort());
+    this->umbilics->SetInputConnection(this->jets->GetOutputPort());
+    this->ridges->SetInputConnection(this->umbilics->GetOutputPort());
+    this->sharpness->SetInputConnection(this->ridges->GetOutputPort());
   }
 
   std::string Bytes()
   {
-    this->Sharpness->Update();
-    return BytesOf(this->Jets->GetOutput()) + BytesOf(this->Umbilics->GetOutput(0)) +
-      BytesOf(this->Umbilics->GetOutput(1)) + BytesOf(this->Ridges->GetOutput()) +
-      BytesOf(this->Sharpness->GetOutput());
+    this->sharpness->Update();
+    return BytesOf(this->jets->GetOutput()) + BytesOf(this->umbilics->GetOutput(0)) +
+      BytesOf(this->umbilics->GetOutput(1)) + BytesOf(this->ridges->GetOutput()) +
+      BytesOf(this->sharpness->GetOutput());
   }
 
   std::vector<vtkAlgorithm*> Filters() const
   {
-    return { this->Jets, this->Umbilics, this->Ridges, this->Sharpness };
+    return { this->jets, this->umbilics, this->ridges, this->sharpness };
   }
 
-  vtkNew<vtkJetFitting> Jets;
-  vtkNew<vtkUmbilicDetection> Umbilics;
-  vtkNew<vtkRidgeExtraction> Ridges;
-  vtkNew<vtkRidgeSharpnessFilter> Sharpness;
+  vtkNew<vtkJetFitting> jets;
+  vtkNew<vtkUmbilicDetection> umbilics;
+  vtkNew<vtkRidgeExtraction> ridges;
+  vtkNew<vtkRidgeSharpnessFilter> sharpness;
 };
 
 /// The SMP backend and number of threads as they were, again.
@@ -111,24 +111,24 @@ TEST(Pipeline, RunsWithDefaultPortsAndProperties)
 {
   vtkNew<vtkRidgeExampleSource> source;
   Chain chain;
-  chain.Jets->SetInputConnection(source->GetOutputPort());
+  chain.jets->SetInputConnection(source->GetOutputPort());
   std::string messages;
   {
-    const MessageRecorder jets(chain.Jets);
-    const MessageRecorder umbilics(chain.Umbilics);
-    const MessageRecorder ridges(chain.Ridges);
-    const MessageRecorder sharpness(chain.Sharpness);
-    chain.Sharpness->Update();
+    const MessageRecorder jets(chain.jets);
+    const MessageRecorder umbilics(chain.umbilics);
+    const MessageRecorder ridges(chain.ridges);
+    const MessageRecorder sharpness(chain.sharpness);
+    chain.sharpness->Update();
     for (const MessageRecorder* recorder : { &jets, &umbilics, &ridges, &sharpness })
     {
       messages += recorder->ErrorText() + recorder->WarningText();
     }
   }
   EXPECT_EQ(messages, "");
-  EXPECT_EQ(chain.Umbilics->GetOutput(1)->GetNumberOfPoints(), 8);
-  EXPECT_GT(chain.Sharpness->GetOutput()->GetNumberOfLines(), 0);
-  EXPECT_LE(chain.Sharpness->GetOutput()->GetNumberOfLines(),
-    chain.Ridges->GetOutput()->GetNumberOfLines());
+  EXPECT_EQ(chain.umbilics->GetOutput(1)->GetNumberOfPoints(), 8);
+  EXPECT_GT(chain.sharpness->GetOutput()->GetNumberOfLines(), 0);
+  EXPECT_LE(chain.sharpness->GetOutput()->GetNumberOfLines(),
+    chain.ridges->GetOutput()->GetNumberOfLines());
 }
 
 // More than one batch of 32,768 points, more than two of triangles.
@@ -148,7 +148,7 @@ TEST(Pipeline, GivesTheSameBytesWithAnyBackendAndNumberOfThreads)
     {
       vtkSMPTools::Initialize(threads);
       Chain chain;
-      chain.Jets->SetInputData(mesh);
+      chain.jets->SetInputData(mesh);
       const std::string bytes = chain.Bytes();
       expected = runs == 0 ? bytes : expected;
       EXPECT_TRUE(bytes == expected) << backend << " with " << threads;
@@ -162,12 +162,12 @@ TEST(Pipeline, GivesTheSameBytesEveryTime)
 {
   const auto mesh = EllipsoidData(16);
   Chain first;
-  first.Jets->SetInputData(mesh);
+  first.jets->SetInputData(mesh);
   Chain second;
-  second.Jets->SetInputData(mesh);
+  second.jets->SetInputData(mesh);
   const std::string bytes = first.Bytes();
   EXPECT_TRUE(bytes == second.Bytes());
-  first.Jets->Modified();
+  first.jets->Modified();
   EXPECT_TRUE(bytes == first.Bytes());
 }
 
@@ -175,40 +175,40 @@ TEST(Pipeline, ExecutesAgainAfterAnyPropertyChangeAsIfNew)
 {
   const auto mesh = BlendData(24);
   Chain changed;
-  changed.Jets->SetInputData(mesh);
+  changed.jets->SetInputData(mesh);
   changed.Bytes();
   const auto setAll = [](Chain& chain)
   {
-    chain.Jets->SetMinimumNumberOfPoints(30);
-    chain.Umbilics->SetPatchSize(3.0);
-    chain.Ridges->ExtractMinimumOff();
-    chain.Ridges->SetTypeRuleToThirdOrder();
-    chain.Sharpness->SetMinimumSharpness(10.0);
+    chain.jets->SetMinimumNumberOfPoints(30);
+    chain.umbilics->SetPatchSize(3.0);
+    chain.ridges->ExtractMinimumOff();
+    chain.ridges->SetTypeRuleToThirdOrder();
+    chain.sharpness->SetMinimumSharpness(10.0);
   };
   setAll(changed);
   Chain fresh;
-  fresh.Jets->SetInputData(mesh);
+  fresh.jets->SetInputData(mesh);
   setAll(fresh);
   EXPECT_TRUE(changed.Bytes() == fresh.Bytes());
 
   // And back to fewer arrays, of which none may be left over.
-  changed.Ridges->ExtractMinimumOn();
-  changed.Sharpness->SetMinimumSharpness(0.0);
-  changed.Jets->SetMongeOrder(3);
-  changed.Sharpness->Update();
-  EXPECT_FALSE(changed.Jets->GetOutput()->GetPointData()->HasArray(names::P1));
-  EXPECT_EQ(changed.Ridges->GetOutput()->GetPointData()->GetNumberOfArrays(), 6);
+  changed.ridges->ExtractMinimumOn();
+  changed.sharpness->SetMinimumSharpness(0.0);
+  changed.jets->SetMongeOrder(3);
+  changed.sharpness->Update();
+  EXPECT_FALSE(changed.jets->GetOutput()->GetPointData()->HasArray(names::P1));
+  EXPECT_EQ(changed.ridges->GetOutput()->GetPointData()->GetNumberOfArrays(), 6);
 }
 
 TEST(Pipeline, TakesAnotherInputAsIfNew)
 {
   Chain changed;
-  changed.Jets->SetInputData(BlendData(24));
+  changed.jets->SetInputData(BlendData(24));
   changed.Bytes();
   const auto mesh = EllipsoidData(12);
-  changed.Jets->SetInputData(mesh);
+  changed.jets->SetInputData(mesh);
   Chain fresh;
-  fresh.Jets->SetInputData(mesh);
+  fresh.jets->SetInputData(mesh);
   EXPECT_TRUE(changed.Bytes() == fresh.Bytes());
 }
 
@@ -216,8 +216,8 @@ TEST(Pipeline, ProgressRisesToTheEnd)
 {
   const auto mesh = BlendData(63);
   Chain chain;
-  chain.Jets->SetInputData(mesh);
-  chain.Sharpness->Update();
+  chain.jets->SetInputData(mesh);
+  chain.sharpness->Update();
   for (vtkAlgorithm* filter : chain.Filters())
   {
     const std::vector<double> reported = ProgressOf(filter);
@@ -229,18 +229,18 @@ TEST(Pipeline, ProgressRisesToTheEnd)
     }
     EXPECT_EQ(reported.back(), 1.0) << filter->GetClassName();
   }
-  EXPECT_GT(ProgressOf(chain.Jets).size(), 3u) << "nothing between the beginning and the end";
+  EXPECT_GT(ProgressOf(chain.jets).size(), 3u) << "nothing between the beginning and the end";
 }
 
 TEST(Pipeline, AbortLeavesEmptyOutputAndTheNextRunIsWhole)
 {
   const auto mesh = BlendData(63);
   Chain chain;
-  chain.Jets->SetInputData(mesh);
+  chain.jets->SetInputData(mesh);
   const std::string whole = chain.Bytes();
-  for (vtkPolyDataAlgorithm* filter : { static_cast<vtkPolyDataAlgorithm*>(chain.Jets),
-         static_cast<vtkPolyDataAlgorithm*>(chain.Umbilics),
-         static_cast<vtkPolyDataAlgorithm*>(chain.Ridges) })
+  for (vtkPolyDataAlgorithm* filter : { static_cast<vtkPolyDataAlgorithm*>(chain.jets),
+         static_cast<vtkPolyDataAlgorithm*>(chain.umbilics),
+         static_cast<vtkPolyDataAlgorithm*>(chain.ridges) })
   {
     AbortAtOnce(filter);
     for (int port = 0; port < filter->GetNumberOfOutputPorts(); ++port)
@@ -255,10 +255,10 @@ TEST(Pipeline, AbortLeavesEmptyOutputAndTheNextRunIsWhole)
 TEST(Pipeline, AbortedFitLetsTheRestRunOnNothing)
 {
   Chain chain;
-  chain.Jets->SetInputData(BlendData(63));
-  AbortAtOnce(chain.Jets);
-  const MessageRecorder recorder(chain.Umbilics);
-  chain.Sharpness->Update();
+  chain.jets->SetInputData(BlendData(63));
+  AbortAtOnce(chain.jets);
+  const MessageRecorder recorder(chain.umbilics);
+  chain.sharpness->Update();
   EXPECT_EQ(recorder.NumberOfErrors(), 0u) << recorder.ErrorText();
-  EXPECT_TRUE(IsEmpty(chain.Sharpness->GetOutput()));
+  EXPECT_TRUE(IsEmpty(chain.sharpness->GetOutput()));
 }

@@ -27,7 +27,7 @@ namespace
 /// The ends of ridges as they are where no umbilics are marked: in singular triangles.
 vtkSmartPointer<vtkPolyData> WithoutUmbilicIds(vtkPolyData* ridges)
 {
-  const auto copy = vtkSmartPointer<vtkPolyData>::New();
+  auto copy = vtkSmartPointer<vtkPolyData>::New();
   copy->DeepCopy(ridges);
   copy->GetPointData()->GetArray("Umbilic")->Fill(-1.0);
   return copy;

@@ -28,7 +28,7 @@ vtkSmartPointer<vtkPolyData> Extract(vtkRidgeExtraction* extraction, vtkPolyData
 {
   extraction->SetInputData(marked);
   extraction->Update();
-  const auto copy = vtkSmartPointer<vtkPolyData>::New();
+  auto copy = vtkSmartPointer<vtkPolyData>::New();
   copy->ShallowCopy(extraction->GetOutput());
   return copy;
 }

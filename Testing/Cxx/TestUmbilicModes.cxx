@@ -151,8 +151,8 @@ TEST(UmbilicJoining, OfTrianglesEndsAtTheCentroidsOfAllSingularOnes)
     if (mesh.IsSingular(t))
     {
       const auto& c = mesh.triangles[t];
-      centroids.push_back((PointAt(outputs.fitted, c[0]) + PointAt(outputs.fitted, c[1]) +
-                            PointAt(outputs.fitted, c[2])) /
+      centroids.emplace_back((PointAt(outputs.fitted, c[0]) + PointAt(outputs.fitted, c[1]) +
+                               PointAt(outputs.fitted, c[2])) /
         3.0);
     }
   }
