@@ -99,6 +99,7 @@ TEST(IndexCharge, SpreadingDoesNotDependOnTheNumbering)
   {
     const Renumbered other(input, seed);
     std::vector<IndexCharge> charges;
+    charges.reserve(before.size());
     for (const IndexCharge& charge : before)
     {
       charges.push_back({ other.newTriangle[charge.triangle], charge.halfTurns });

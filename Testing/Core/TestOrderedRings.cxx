@@ -135,6 +135,7 @@ TEST(OrderedRings, ManyTrianglesAtOnePointAreIrregularAndStillFound)
 {
   std::vector<Triangle> fan;
   const int n = 100;
+  fan.reserve(n);
   for (int i = 0; i < n; ++i)
   {
     fan.push_back({ 0, 1 + i, 1 + (i + 1) % n });

@@ -177,6 +177,7 @@ TEST(UmbilicCutOff, IsThatOfSampling)
   for (int trial = 0; trial < 300; ++trial)
   {
     std::vector<Vector3d> centers;
+    centers.reserve(6);
     for (int i = 0; i < 6; ++i)
     {
       centers.emplace_back(random(), random(), random());

@@ -86,6 +86,7 @@ Excess MeasureExcess(const std::string& name, const Mesh& clean, const AnalyticS
 {
   const MeshedSurface cleanMesh(clean);
   std::vector<ExactMonge> exact;
+  exact.reserve(cleanMesh.Triangles().NumberOfPoints());
   for (Id p = 0; p < cleanMesh.Triangles().NumberOfPoints(); ++p)
   {
     exact.push_back(surface.Monge(cleanMesh.Triangles().Point(p)));

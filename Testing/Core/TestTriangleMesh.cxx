@@ -22,7 +22,7 @@ using Eigen::Vector3d;
 const std::vector<double> SquarePoints = { 0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0, 0.5, 0.5, 1, 9, 9,
   9 };
 
-TriangleMesh SquareMesh(std::vector<Triangle> triangles)
+TriangleMesh SquareMesh(const std::vector<Triangle>& triangles)
 {
   return TriangleMesh(SquarePoints.data(), 6, triangles);
 }
