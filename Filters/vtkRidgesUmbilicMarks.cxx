@@ -59,11 +59,12 @@ void vtkRidgesUmbilicMarks::FetchUmbilics()
 void vtkRidgesUmbilicMarks::FetchRegions(vtkDataArray* regions, std::size_t firstPatch)
 {
   auto* exact = vtkIdTypeArray::SafeDownCast(regions);
+  const vtkIdType* values = exact ? exact->GetPointer(0) : nullptr;
   const ridges::TriangleMesh& triangles = this->Mesh.GetTriangles();
   const auto regionOf = [&](ridges::Id t)
   {
     const vtkIdType cell = this->Mesh.GetCellId(t);
-    return exact ? exact->GetValue(cell) : static_cast<vtkIdType>(regions->GetComponent(cell, 0));
+    return values ? values[cell] : static_cast<vtkIdType>(regions->GetComponent(cell, 0));
   };
   for (const ridges::Id t :
     vtkRidgesWhere(triangles.NumberOfTriangles(), [&](ridges::Id i) { return regionOf(i) >= 0; }))
