@@ -4,7 +4,6 @@
 #include "LargeMemory.h"
 
 #include <atomic>
-#include <cstring>
 #include <new>
 
 namespace ridges
@@ -44,7 +43,7 @@ void* SharedMemory::Take(std::size_t bytes)
 {
   char* array = this->Next_ + Line;
   this->Next_ = array + InLines(bytes);
-  std::memcpy(array - Line, &this->Piece_, sizeof(this->Piece_));
+  new (array - Line) Piece*(this->Piece_);
   this->Piece_->users.fetch_add(1, std::memory_order_relaxed);
   return array;
 }
@@ -53,9 +52,7 @@ void SharedMemory::Free(void* array)
 {
   if (array)
   {
-    Piece* piece = nullptr;
-    std::memcpy(&piece, static_cast<char*>(array) - Line, sizeof(piece));
-    Leave(piece);
+    Leave(*reinterpret_cast<Piece**>(static_cast<char*>(array) - Line));
   }
 }
 

@@ -55,9 +55,9 @@ TEST(SharedMemory, KeepsArraysApartAndAlignedUntilTheLastIsFreed)
   for (const std::size_t size : { std::size_t(100), LargeMemorySize, 3 * LargeMemorySize })
   {
     const Arrays shared({ size, 0, 1, 64, 63, size + 8, 65 });
-    for (std::size_t i = 0; i < shared.arrays.size(); ++i)
+    for (const void* array : shared.arrays)
     {
-      EXPECT_EQ(reinterpret_cast<std::uintptr_t>(shared.arrays[i]) % 64, 0U);
+      EXPECT_EQ(reinterpret_cast<std::uintptr_t>(array) % 64, 0U);
     }
     for (const std::size_t i : { 3, 0, 6, 1, 5, 2, 4 })
     {
