@@ -100,11 +100,6 @@ inline Vec3 Cross(const Vec3& a, const Vec3& b)
   return { a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x };
 }
 
-inline Vec3 Normalized(const Vec3& a)
-{
-  return 1.0 / Sqrt(Dot(a, a)) * a;
-}
-
 /// Per lane a where the condition holds, else b.
 template <typename Condition>
 inline Vec3 Select(const Condition& condition, const Vec3& a, const Vec3& b)
