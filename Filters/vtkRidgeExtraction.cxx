@@ -6,6 +6,7 @@
 #include "Core/RidgeMeasures.h"
 #include "Core/UmbilicForm.h"
 #include "vtkRidgesArrayNames.h"
+#include "vtkRidgesCollect.h"
 #include "vtkRidgesMongeInput.h"
 #include "vtkRidgesPolylines.h"
 #include "vtkRidgesSearch.h"
@@ -47,12 +48,10 @@ std::vector<Eigen::Vector3d> UmbilicPositions(const vtkRidgesUmbilicMarks& umbil
     return umbilics.GetPositions();
   }
   std::vector<Eigen::Vector3d> positions;
-  for (ridges::Id t = 0; t < mesh.NumberOfTriangles(); ++t)
+  for (const ridges::Id t : vtkRidgesWhere(mesh.NumberOfTriangles(),
+         [&](ridges::Id i) { return !ridges::IsRegular(mesh, field, i); }))
   {
-    if (!ridges::IsRegular(mesh, field, t))
-    {
-      positions.push_back(ridges::UmbilicInTriangle(mesh, field, t));
-    }
+    positions.push_back(ridges::UmbilicInTriangle(mesh, field, t));
   }
   return positions;
 }

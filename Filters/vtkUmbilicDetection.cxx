@@ -3,6 +3,7 @@
 
 #include "Core/UmbilicDetection.h"
 #include "vtkRidgesBatches.h"
+#include "vtkRidgesCollect.h"
 #include "vtkRidgesIndexSearch.h"
 #include "vtkRidgesMongeInput.h"
 #include "vtkRidgesUmbilicOutput.h"
@@ -46,15 +47,8 @@ struct FindCandidates
 
   std::vector<ridges::Id> Collect() const
   {
-    std::vector<ridges::Id> candidates;
-    for (ridges::Id t = 0; t < this->Mesh.NumberOfTriangles(); ++t)
-    {
-      if (this->IsCandidate[t])
-      {
-        candidates.push_back(t);
-      }
-    }
-    return candidates;
+    return vtkRidgesWhere(
+      this->Mesh.NumberOfTriangles(), [this](ridges::Id t) { return this->IsCandidate[t] != 0; });
   }
 
 private:
