@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRidgesPictureInput.h"
 
+#include "Core/DirectionIndex.h"
 #include "vtkRidgesArrayNames.h"
 
 #include "vtkCellArray.h"
@@ -89,8 +90,7 @@ void vtkRidgesPictureInput::FetchMesh(vtkPolyData* mesh)
   {
     const vtkIdType cell = this->Mesh.GetCellId(t);
     this->TriangleOfCell[cell] = t;
-    const ridges::Triangle& corners = triangles.Corners(t);
-    const bool good = usable[corners[0]] && usable[corners[1]] && usable[corners[2]];
+    const bool good = ridges::AreUsable(triangles.Corners(t), usable.data());
     this->Picture.isUsable.push_back(good ? 1 : 0);
     this->Picture.patchOf.push_back(patch ? IdAt(patch, cell) : -1);
     this->Picture.cancelledIn.push_back(cancelled ? IdAt(cancelled, cell) : -1);
