@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkJetFitting.h"
 
-#include "Core/JetFit.h"
-#include "Core/OrderedRings.h"
-#include "Core/RingNeighborhood.h"
-#include "Core/ScaleSelection.h"
+#include "Core/Fit/JetFit.h"
+#include "Core/Fit/ScaleSelection.h"
+#include "Core/Mesh/OrderedRings.h"
+#include "Core/Mesh/RingNeighborhood.h"
 #include "vtkRidgesArrayNames.h"
 #include "vtkRidgesBatches.h"
 #include "vtkRidgesFitPoints.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkPrincipalFoliation.h"
 
-#include "Core/EnclosingSphere.h"
-#include "Core/PrincipalFoliation.h"
+#include "Core/Foliation/PrincipalFoliation.h"
+#include "Core/Mesh/EnclosingSphere.h"
 #include "vtkRidgesArrayNames.h"
 #include "vtkRidgesMongeInput.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRidgeCoherence.h"
 
-#include "Core/CoherenceChecks.h"
+#include "Core/Coherence/CoherenceChecks.h"
 #include "vtkRidgesArrayNames.h"
 #include "vtkRidgesPictureInput.h"
 

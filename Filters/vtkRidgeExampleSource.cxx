@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRidgeExampleSource.h"
 
-#include "Core/ExampleSurface.h"
+#include "Core/Formula/ExampleSurface.h"
 
 #include "vtkCellArray.h"
 #include "vtkDoubleArray.h"

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRidgeExtraction.h"
 
-#include "Core/EnclosingSphere.h"
-#include "Core/PurplePoints.h"
-#include "Core/RidgeMeasures.h"
-#include "Core/UmbilicForm.h"
+#include "Core/Mesh/EnclosingSphere.h"
+#include "Core/Ridges/PurplePoints.h"
+#include "Core/Ridges/RidgeMeasures.h"
+#include "Core/Umbilics/UmbilicForm.h"
 #include "vtkRidgesArrayNames.h"
 #include "vtkRidgesCollect.h"
 #include "vtkRidgesMongeInput.h"

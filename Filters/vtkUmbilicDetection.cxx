@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkUmbilicDetection.h"
 
-#include "Core/UmbilicDetection.h"
+#include "Core/Umbilics/UmbilicDetection.h"
 #include "vtkRidgesBatches.h"
 #include "vtkRidgesCollect.h"
 #include "vtkRidgesIndexSearch.h"

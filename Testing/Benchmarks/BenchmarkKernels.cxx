@@ -6,10 +6,10 @@
 #include "Minimum.h"
 #include "Tables.h"
 
-#include "JetBatch.h"
-#include "JetBatchFiller.h"
-#include "OrderedRings.h"
-#include "RingNeighborhood.h"
+#include "Fit/Batch/JetBatch.h"
+#include "Fit/Batch/JetBatchFiller.h"
+#include "Mesh/OrderedRings.h"
+#include "Mesh/RingNeighborhood.h"
 
 #include "vtkCellArray.h"
 

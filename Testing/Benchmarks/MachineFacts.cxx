@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MachineFacts.h"
 
-#include "JetBatch.h"
+#include "Fit/Batch/JetBatch.h"
 
 #include "vtkSMPTools.h"
 #include "vtkVersion.h"

@@ -1,4 +1,4 @@
-file(GLOB files "${DIRECTORY}/*.h" "${DIRECTORY}/*.cxx")
+file(GLOB_RECURSE files "${DIRECTORY}/*.h" "${DIRECTORY}/*.cxx")
 if (NOT files)
   message(SEND_ERROR "no sources in ${DIRECTORY}")
 endif ()

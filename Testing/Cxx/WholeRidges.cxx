@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "WholeRidges.h"
+#include "Coherence/WholeRidges.h"
 
 #include "FilterTestTools.h"
 

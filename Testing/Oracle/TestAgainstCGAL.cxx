@@ -4,11 +4,11 @@
 // Monge_via_jet_fitting, over the same neighbourhoods. Both solve one least-squares problem, in
 // frames that differ by a turn in the plane, so they agree up to round-off times the condition.
 
-#include "EllipsoidFixture.h"
-#include "MongeComparison.h"
-#include "TestFields.h"
+#include "Fixtures/EllipsoidFixture.h"
+#include "Fixtures/MongeComparison.h"
+#include "Fixtures/TestFields.h"
 
-#include "JetFit.h"
+#include "Fit/JetFit.h"
 
 #include <CGAL/Monge_via_jet_fitting.h>
 #include <CGAL/Simple_cartesian.h>

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TrueRidges.h"
 
-#include "../Core/TestFields.h"
+#include "../Core/Fixtures/TestFields.h"
 #include "ExactRidges.h"
 #include "ParallelFor.h"
 
-#include "MarchingTriangles.h"
-#include "RidgeAssembly.h"
-#include "RidgeCrossings.h"
+#include "Ridges/MarchingTriangles.h"
+#include "Ridges/RidgeAssembly.h"
+#include "Ridges/RidgeCrossings.h"
 
 #include <algorithm>
 #include <limits>

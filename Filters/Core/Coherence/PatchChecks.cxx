@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Coherence/CoherenceChecks.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+namespace ridges
+{
+namespace
+{
+
+/// Triangles of the patches, by the ids of their umbilics.
+std::map<Id, std::vector<Id>> FindPatches(const RidgePicture& picture)
+{
+  std::map<Id, std::vector<Id>> patches;
+  for (Id t = 0; t < picture.mesh->NumberOfTriangles(); ++t)
+  {
+    if (picture.patchOf[t] >= 0)
+    {
+      patches[picture.patchOf[t]].push_back(t);
+    }
+  }
+  return patches;
+}
+
+// Connected through edges, and of characteristic 1: then nothing is enclosed, and no point is
+// touched twice.
+bool IsDisk(const TriangleMesh& mesh, const std::vector<Id>& patch)
+{
+  const std::set<Id> triangles(patch.begin(), patch.end());
+  std::set<Id> points;
+  std::set<Id> edges;
+  std::set<Id> reached{ patch.front() };
+  for (std::vector<Id> open(reached.begin(), reached.end()); !open.empty();)
+  {
+    const Id t = open.back();
+    open.pop_back();
+    for (int side = 0; side < 3; ++side)
+    {
+      points.insert(mesh.Corners(t)[side]);
+      edges.insert(mesh.EdgeOf(t, side));
+      const Id next = mesh.Neighbor(t, side);
+      if (next >= 0 && triangles.count(next) > 0 && reached.insert(next).second)
+      {
+        open.push_back(next);
+      }
+    }
+  }
+  return reached.size() == triangles.size() && points.size() + triangles.size() == edges.size() + 1;
+}
+
+/// The patch that a ridge does not leave, or -1.
+Id PatchAround(const RidgePicture& picture, const WholeRidge& ridge)
+{
+  Id patch = -1;
+  for (const RidgeChain& chain : ridge.chains)
+  {
+    for (const RidgePiece& piece : PiecesOf(picture, chain))
+    {
+      const Id here = piece.triangle >= 0 ? picture.patchOf[piece.triangle] : -1;
+      if (here < 0 || (patch >= 0 && here != patch))
+      {
+        return -1;
+      }
+      patch = here;
+    }
+  }
+  return patch;
+}
+
+bool LeadsFromUmbilicToBorder(const RidgePicture& picture, const WholeRidge& ridge, Id umbilic)
+{
+  const RidgeChain& chain = ridge.chains.front();
+  const PicturePoint& first = picture.points[chain.points.front()];
+  const PicturePoint& last = picture.points[chain.points.back()];
+  return ridge.chains.size() == 1 && !chain.closed &&
+    ((first.umbilic == umbilic && last.edge >= 0) || (last.umbilic == umbilic && first.edge >= 0));
+}
+
+} // namespace
+
+CoherenceCheck CheckPatches(const RidgePicture& picture)
+{
+  CoherenceCheck check{ "patches", "6.3, 2.2(a)", OffenderKind::Umbilic };
+  std::map<Id, std::vector<Id>> patches = FindPatches(picture);
+  const std::size_t count = patches.size();
+  for (const PictureUmbilic& umbilic : picture.umbilics)
+  {
+    const auto patch = patches.find(umbilic.id);
+    const bool good = patch != patches.end() && IsDisk(*picture.mesh, patch->second) &&
+      std::binary_search(patch->second.begin(), patch->second.end(), umbilic.triangle);
+    if (!good)
+    {
+      check.offenders.push_back({ { umbilic.id, -1 }, umbilic.position });
+    }
+  }
+  for (const PictureUmbilic& umbilic : picture.umbilics)
+  {
+    patches.erase(umbilic.id);
+  }
+  for (const auto& [id, triangles] : patches) // of no umbilic
+  {
+    check.offenders.push_back({ { id, -1 }, picture.mesh->Centroid(triangles.front()) });
+  }
+  check.applies = count > 0 || !picture.umbilics.empty();
+  check.expected = "a disk around each umbilic";
+  check.found = std::to_string(count) + " patches, " + std::to_string(check.offenders.size()) +
+    " umbilics without such";
+  return check;
+}
+
+CoherenceCheck CheckRidgesInPatches(
+  const RidgePicture& picture, const std::vector<WholeRidge>& ridges)
+{
+  CoherenceCheck check{ "ridges inside patches", "6.3, 2.2(b)", OffenderKind::Ridge };
+  for (const WholeRidge& ridge : ridges)
+  {
+    const Id patch = PatchAround(picture, ridge);
+    if (patch >= 0 && !LeadsFromUmbilicToBorder(picture, ridge, patch))
+    {
+      const Id point = ridge.chains.front().points.front();
+      check.offenders.push_back({ { ridge.id, -1 }, picture.points[point].position });
+    }
+  }
+  check.applies = !picture.umbilics.empty();
+  check.expected = "none";
+  check.found = std::to_string(check.offenders.size());
+  return check;
+}
+
+CoherenceCheck CheckPatchContours(
+  const RidgePicture& picture, const std::vector<WholeRidge>& ridges)
+{
+  CoherenceCheck check{ "patch contours", "6.3, 2.2(c)", OffenderKind::Umbilic };
+  std::map<Id, std::array<int, 2>> counts;
+  const auto count = [&](Id p, Color color)
+  {
+    const Id edge = picture.points[p].edge;
+    const std::vector<Id> triangles =
+      edge >= 0 ? TrianglesAt(*picture.mesh, edge) : std::vector<Id>();
+    std::set<Id> patches;
+    for (const Id t : triangles)
+    {
+      patches.insert(picture.patchOf[t]);
+    }
+    for (const Id patch : patches)
+    {
+      if (patch >= 0 && (patches.size() > 1 || picture.IsBorder(edge)))
+      {
+        ++counts[patch][color == Color::Blue ? 0 : 1];
+      }
+    }
+  };
+  for (const WholeRidge& ridge : ridges)
+  {
+    for (const RidgeChain& chain : ridge.chains)
+    {
+      for (std::size_t i = chain.closed ? 1 : 0; i < chain.points.size(); ++i)
+      {
+        count(chain.points[i], ridge.color);
+      }
+    }
+  }
+  std::string first;
+  for (const PictureUmbilic& umbilic : picture.umbilics)
+  {
+    const std::array<int, 2> found = counts[umbilic.id];
+    if (found[0] != umbilic.ridgeCount || found[1] != umbilic.ridgeCount)
+    {
+      if (first.empty())
+      {
+        first = ", the first " + std::to_string(found[0]) + " blue and " +
+          std::to_string(found[1]) + " red instead of " + std::to_string(umbilic.ridgeCount);
+      }
+      check.offenders.push_back({ { umbilic.id, -1 }, umbilic.position });
+    }
+  }
+  check.applies = !picture.umbilics.empty();
+  check.expected = "1 or 3 crossings of each colour, by RidgeCount";
+  check.found = std::to_string(check.offenders.size()) + " of " +
+    std::to_string(picture.umbilics.size()) + " have others" + first;
+  return check;
+}
+
+} // namespace ridges

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What FitJetBatch... do, for RIDGES_LANES lanes: see JetBatch.h. Every lane does the same
+// arithmetic whatever its neighbours hold, and rows past its end add zeros, so that the result of a
+// vertex does not depend on the batch it came in.
+#ifndef ridges_JetBatchKernel_h
+#define ridges_JetBatchKernel_h
+
+#include "Fit/Batch/JetBatchFrame.h"
+#include "Fit/Batch/JetBatchMoments.h"
+#include "Fit/Batch/JetBatchMonge.h"
+#include "Fit/Batch/JetBatchSolve.h"
+
+namespace
+{
+
+template <int Degree>
+inline void FitDegree(ridges::JetBatch& batch)
+{
+  constexpr int size = NumberOfMonomials(Degree);
+  constexpr int order = 2 * Degree;
+
+  LocalPoints points;
+  points.rows = batch.rows;
+  points.weights = batch.weights;
+  const Frame frame = PrincipalFrame(batch, points.at);
+  const Vec perRadius = 1.0 / frame.radius;
+  const Vec3 u = perRadius * frame.u;
+  const Vec3 v = perRadius * frame.v;
+  const Vec3 n = perRadius * frame.n;
+  for (int row = 1; row < batch.rows; ++row)
+  {
+    const Vec3 offset = points.at[row];
+    points.at[row] = { Dot(u, offset), Dot(v, offset), Dot(n, offset) };
+  }
+  if (!batch.weighted)
+  {
+    const Vec counts = Load(batch.counts);
+    for (int row = 0; row < batch.rows; ++row)
+    {
+      Store(batch.weights + row * Lanes, Broadcast(row) < counts ? Broadcast(1.0) : Vec{});
+    }
+  }
+
+  // In two passes, as the sums of one would not fit in the registers.
+  Vec moments[order + 1][order + 1];
+  AddMoments<order, 0, 2>(points, moments);
+  AddMoments<order, 3, order>(points, moments);
+  NormalEquations<Degree> equations;
+  equations.Factor(moments);
+
+  Vec coefficients[size];
+  Project<Degree>(
+    points, Vec{}, [&](int row) { return points.Weight(row) * points.at[row].z; }, coefficients);
+  equations.Solve(coefficients);
+
+  // Iterative refinement: what the polynomial misses at the points, fitted once more.
+  Vec totalWeight = points.Weight(0);
+  Vec squares = totalWeight * coefficients[0] * coefficients[0];
+  Vec corrections[size];
+  Project<Degree>(
+    points, -totalWeight * coefficients[0],
+    [&](int row)
+    {
+      const Vec weight = points.Weight(row);
+      const Vec3& p = points.at[row];
+      const Vec missed = p.z - Evaluate<Degree>(coefficients, p.x, p.y);
+      squares += weight * missed * missed;
+      totalWeight += weight;
+      return weight * missed;
+    },
+    corrections);
+  equations.Solve(corrections);
+  for (int k = 0; k < size; ++k)
+  {
+    coefficients[k] += corrections[k];
+  }
+
+  const Vec residual = Sqrt(squares / totalWeight);
+  Store(batch.residual, residual);
+  Store(batch.conditionNumber, Sqrt(equations.largestPivot / equations.smallestPivot));
+  Store(batch.radius, frame.radius);
+  const Vec zeros = StoreMongeForm<Degree>(batch, frame, coefficients, perRadius);
+  const auto good = equations.excess > 0.0 && !frame.failed && zeros + 0.0 * residual == 0.0;
+  Store(batch.good, good ? Broadcast(1.0) : Vec{});
+}
+
+inline void FitLanes(ridges::JetBatch& batch)
+{
+  switch (batch.degree)
+  {
+    case 2:
+      return FitDegree<2>(batch);
+    case 3:
+      return FitDegree<3>(batch);
+    default:
+      return FitDegree<4>(batch);
+  }
+}
+
+} // namespace
+
+#endif

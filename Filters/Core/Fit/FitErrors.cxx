@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Fit/FitErrors.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ridges
+{
+namespace
+{
+
+/// See FromResiduals. The estimate of n is too rough for n - 15 to be taken for less.
+constexpr double Factor = 140.0;
+constexpr double LeastFreedom = 9.0;
+
+/// About how many points a fit at this point was to, from the area that its scale covers.
+double EstimatePoints(const TriangleMesh& mesh, double scale, Id point)
+{
+  double areas = 0.0;
+  for (const Id t : mesh.TrianglesAround(point))
+  {
+    areas += 0.5 * mesh.AreaNormal(t).norm();
+  }
+  // Two rings of an even mesh, 19 points, reach to 2 edges, or 14.5 times the area for a point.
+  constexpr double perDisk = 19.0 / 14.5;
+  constexpr double pi = 3.14159265358979323846;
+  return areas > 0.0 ? perDisk * pi * scale * scale / (areas / 3.0) : 0.0;
+}
+
+/**
+ * A standard error from residual / scale^order, for a value of the unit 1 / length^order.
+ *
+ * With n points and 15 coefficients the noise is the residual times sqrt(n / (n - 15)), and its
+ * effect on a coefficient falls like one over sqrt(n). The factor left is one that, on even meshes
+ * and scans, and for 18 to 200 points, comes within a factor of two of the median of the standard
+ * errors of k1 - k2 and of b0 that vtkJetFitting computes.
+ */
+template <int Order>
+double FromResiduals(const TriangleMesh& mesh, const FitErrorSource& source, Id point)
+{
+  if (!source.fitResidual || !source.fitScale || !(source.fitScale[point] > 0.0))
+  {
+    return 0.0;
+  }
+  const auto unit = [&source](Id p) { return std::pow(source.fitScale[p], -Order); };
+  double sum = 0.0;
+  int count = 0;
+  for (const Id t : mesh.TrianglesAround(point))
+  {
+    for (const Id p : mesh.Corners(t))
+    {
+      const double ratio = source.fitScale[p] > 0.0 ? source.fitResidual[p] * unit(p) : 0.0;
+      sum += ratio * ratio;
+      ++count;
+    }
+  }
+  constexpr double coefficients = 15.0;
+  const double freedom =
+    std::max(LeastFreedom, EstimatePoints(mesh, source.fitScale[point], point) - coefficients);
+  // Below this all is rounding: the surface is a polynomial to ten digits over the fitted radius.
+  constexpr double rounding = 1e-10;
+  const double average = count > 0 ? std::sqrt(sum / count) : 0.0;
+  return std::max(rounding * unit(point), Factor / std::sqrt(freedom) * average);
+}
+
+} // namespace
+
+double GapError(const TriangleMesh& mesh, const FitErrorSource& source, Id point)
+{
+  if (source.maximumCurvatureError && source.minimumCurvatureError)
+  {
+    return std::hypot(source.maximumCurvatureError[point], source.minimumCurvatureError[point]);
+  }
+  return FromResiduals<1>(mesh, source, point);
+}
+
+double ExtremalityError(
+  const TriangleMesh& mesh, const FitErrorSource& source, Color color, Id point)
+{
+  if (source.thirdOrderError)
+  {
+    return source
+      .thirdOrderError[4 * static_cast<std::size_t>(point) + (color == Color::Blue ? 0 : 3)];
+  }
+  return FromResiduals<2>(mesh, source, point);
+}
+
+bool IsGentle(const MongeField& field, const FitErrorSource& source, Id point)
+{
+  if (!source.fitResidual || !source.fitScale || !(source.fitScale[point] > 0.0))
+  {
+    return false;
+  }
+  // Slopes at the radius from the second order, and from the third; and the heights left over.
+  constexpr double mostSlope = 0.4;
+  constexpr double mostResidual = 0.01;
+  const double scale = source.fitScale[point];
+  const double second = std::max(std::abs(field.k1[point]), std::abs(field.k2[point]));
+  const double* b = field.ThirdOrder(point);
+  const double third =
+    std::max(std::max(std::abs(b[0]), std::abs(b[1])), std::max(std::abs(b[2]), std::abs(b[3])));
+  return source.fitResidual[point] < mostResidual && second * scale < mostSlope &&
+    third * scale * scale < mostSlope;
+}
+
+bool MayBeWeak(const MongeField& field, const FitErrorSource& source, double significance, Id point)
+{
+  if (source.maximumCurvatureError || !source.fitResidual || !source.fitScale)
+  {
+    return true;
+  }
+  constexpr double mostError = Factor / 3.0; // LeastFreedom under the root
+  constexpr double mostOfNeighbors = 4.0;
+  const double scale = source.fitScale[point];
+  const double gap = field.k1[point] - field.k2[point];
+  constexpr double rounding = 1e-10;
+  return !(gap * scale >
+    significance * (mostError * mostOfNeighbors * source.fitResidual[point] + rounding));
+}
+
+bool IsWeak(const TriangleMesh& mesh, const MongeField& field, const double* gapErrors,
+  double significance, Id triangle)
+{
+  double gap = 0.0;
+  double error = 0.0;
+  for (const Id p : mesh.Corners(triangle))
+  {
+    gap += field.k1[p] - field.k2[p];
+    error += gapErrors[p];
+  }
+  return error > 0.0 && gap <= significance * error;
+}
+
+} // namespace ridges

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef ridges_JetFit_h
+#define ridges_JetFit_h
+
+#include "Fit/Weighting.h"
+#include "Monge/MongeForm.h"
+
+#include <Eigen/Core>
+#include <Eigen/QR>
+
+#include <cstdint>
+
+namespace ridges
+{
+
+/// What is to be known about a fit, as bits: 0 is a good fit.
+enum FitStatus : std::uint8_t
+{
+  FitGood = 0,
+  FitBoundary = 1,       ///< The vertex lies on the border: the neighbourhood is one-sided.
+  FitTooFewPoints = 2,   ///< Fewer points than coefficients: fitted in a lower degree.
+  FitIllConditioned = 4, ///< The points hardly determine the polynomial: see JetFit.
+  FitInvalid = 8         ///< There is no fit: all its values are zero.
+};
+
+/// A polynomial height function fitted to the points around a vertex.
+struct JetFit
+{
+  HeightJet jet;                                       ///< Over `frame`, from the vertex.
+  Eigen::Matrix3d frame = Eigen::Matrix3d::Identity(); ///< Columns u, v, height; direct.
+  int degree = 0;                                      ///< Degree that was fitted, 0 if invalid.
+  int rank = 0;                                        ///< Numerical rank of the least squares.
+  double conditionNumber = 0.0;
+  double residual = 0.0; ///< (Weighted) rms of the heights left over, in units of the radius.
+  double radius = 0.0;   ///< Distance of the farthest point from the vertex.
+  std::uint8_t status = FitInvalid;
+};
+
+/**
+ * Least-squares fit of a polynomial of degree 1 to 4 to points given as offsets from a vertex
+ * (the vertex itself, an offset of zero, included): "jet fitting".
+ *
+ * The height axis is the direction in which the points spread least (principal component analysis
+ * about their mean), on the side of `side`. Offsets are divided by the radius, so that the linear
+ * system, and with it the condition number, has no unit. It is solved by a complete orthogonal
+ * decomposition, the column-pivoted QR factorisation that also gives the solution of least norm
+ * where the points leave the polynomial undetermined.
+ *
+ * The condition number is the ratio of the first to the last pivot of that factorisation, an
+ * estimate of the ratio of the extreme singular values. From `IllConditionedAbove` on the fit is
+ * flagged: derivatives of the surface beyond the degree, and noise, are then magnified beyond use.
+ *
+ * Weights change the least squares, but not the height axis.
+ *
+ * Holds scratch memory: use one per thread.
+ */
+class JetFitter
+{
+public:
+  static constexpr double IllConditionedAbove = 1e5;
+
+  /// `offsets` has a column per point.
+  JetFit Fit(const Eigen::Ref<const Eigen::Matrix3Xd>& offsets, int degree,
+    const Eigen::Vector3d& side, Weighting weighting = Weighting::Uniform);
+
+  /// The factorisation of the last fit that was not invalid: of the monomials in units of the
+  /// radius, a row per point, which is multiplied by the point's root weight.
+  using Factorization = Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd>;
+  const Factorization& LastFactorization() const { return this->Solver_; }
+
+  /// The square roots of the weights of that fit; empty if they were all 1.
+  const Eigen::VectorXd& LastRootWeights() const { return this->RootWeights_; }
+
+private:
+  Eigen::MatrixXd Matrix_;
+  Eigen::VectorXd Heights_;
+  Eigen::VectorXd RootWeights_;
+  Factorization Solver_;
+};
+
+} // namespace ridges
+
+#endif

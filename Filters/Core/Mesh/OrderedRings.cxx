@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Mesh/OrderedRings.h"
+
+#include "Mesh/PositionOrder.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+namespace ridges
+{
+namespace
+{
+
+constexpr Id LargestFan = 32;
+
+} // namespace
+
+OrderedRings::OrderedRings(const TriangleMesh& mesh)
+  : Mesh_(mesh)
+  , Rings_(
+      3 * static_cast<std::size_t>(mesh.NumberOfTriangles()) + mesh.NumberOfPoints() + ReadableIds)
+  , Sizes_(mesh.NumberOfPoints(), 0)
+  , Kinds_(mesh.NumberOfPoints(), Kind::Irregular)
+{
+  std::fill(this->Rings_.end() - ReadableIds, this->Rings_.end(), -1);
+}
+
+void OrderedRings::Build(Id begin, Id end)
+{
+  for (Id p = begin; p < end; ++p)
+  {
+    Id* ring = this->Rings_.data() + this->Offset(p);
+    if (this->BuildSmallRing(p, ring))
+    {
+      this->Sizes_[p] = static_cast<std::uint8_t>(this->Mesh_.TrianglesAround(p).size());
+      this->Kinds_[p] = Kind::Closed;
+    }
+    else
+    {
+      this->Kinds_[p] = this->BuildRing(p, ring, this->Sizes_[p]);
+    }
+  }
+}
+
+bool OrderedRings::HasIrregular() const
+{
+  for (Id p = 0; p < this->Mesh_.NumberOfPoints(); ++p)
+  {
+    if (!this->IsRegular(p) && this->Mesh_.TrianglesAround(p).size() > 0)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+/// The ring of a point in at most eight triangles that form a closed fan, as nearly all do; false
+/// for any other. Nothing here branches on how the triangles happen to be stored, which no
+/// processor could foresee.
+bool OrderedRings::BuildSmallRing(Id p, Id* ring) const
+{
+  constexpr Id most = 8;
+  const Span<Id> triangles = this->Mesh_.TrianglesAround(p);
+  const Id count = triangles.size();
+  if (count < 3 || count > most)
+  {
+    return false;
+  }
+  std::array<Id, most> from;
+  std::array<Id, most> to;
+  std::array<double, most> x;
+  from.fill(-1);
+  double least = std::numeric_limits<double>::infinity();
+  for (Id i = 0; i < count; ++i)
+  {
+    const Triangle& c = this->Mesh_.Corners(triangles[i]);
+    from[i] = c[0] == p ? c[1] : (c[1] == p ? c[2] : c[0]);
+    to[i] = c[0] == p ? c[2] : (c[1] == p ? c[0] : c[1]);
+    x[i] = this->Mesh_.Point(from[i]).x();
+    least = std::min(least, x[i]);
+  }
+
+  // Which triangle begins where each ends: 0 if none does, above 15 if more than one.
+  std::array<Id, most> next;
+  Id start = 0;
+  Id leftmost = 0;
+  for (Id i = 0; i < count; ++i)
+  {
+    Id sum = 0;
+    for (Id j = 0; j < most; ++j)
+    {
+      sum += from[j] == to[i] ? 8 + j : 0;
+    }
+    next[i] = sum;
+    start = x[i] == least ? i : start;
+    leftmost += x[i] == least ? 1 : 0;
+  }
+  if (leftmost > 1)
+  {
+    start = this->FirstOf(from.data(), count);
+  }
+  Id i = start;
+  bool closed = true;
+  for (Id length = 1; length <= count; ++length)
+  {
+    *ring++ = from[i];
+    closed = closed && next[i] >= 8 && next[i] < 16;
+    i = next[i] & 7;
+    closed = closed && ((i == start) == (length == count));
+  }
+  return closed;
+}
+
+OrderedRings::Kind OrderedRings::BuildRing(Id p, Id* ring, std::uint8_t& size) const
+{
+  // Each triangle at p leads from one neighbour to the next.
+  std::array<Id, LargestFan> from{};
+  std::array<Id, LargestFan> to{};
+  const Span<Id> triangles = this->Mesh_.TrianglesAround(p);
+  const Id count = triangles.size();
+  size = 0;
+  if (count == 0 || count > LargestFan)
+  {
+    return this->KindOfIrregular(p);
+  }
+  for (Id i = 0; i < count; ++i)
+  {
+    const Triangle& c = this->Mesh_.Corners(triangles[i]);
+    const int corner = c[0] == p ? 0 : (c[1] == p ? 1 : 2);
+    from[i] = c[(corner + 1) % 3];
+    to[i] = c[(corner + 2) % 3];
+  }
+  // An edge that two triangles run through in one direction is not in a regular fan.
+  for (Id i = 1; i < count; ++i)
+  {
+    if (std::find(from.begin(), from.begin() + i, from[i]) != from.begin() + i)
+    {
+      return this->KindOfIrregular(p);
+    }
+  }
+
+  // The chain from the first triangle on grows at its end, or, where it cannot, at its beginning.
+  for (Id length = 1; length < count; ++length)
+  {
+    const auto rest = from.begin() + length;
+    const auto next = std::find(rest, from.begin() + count, to[length - 1]);
+    if (next != from.begin() + count)
+    {
+      std::iter_swap(rest, next);
+      std::swap(to[length], to[next - from.begin()]);
+      continue;
+    }
+    const auto before = std::find(to.begin() + length, to.begin() + count, from[0]);
+    if (before == to.begin() + count)
+    {
+      return this->KindOfIrregular(p);
+    }
+    const auto index = before - to.begin();
+    std::rotate(from.begin(), from.begin() + index, from.begin() + index + 1);
+    std::rotate(to.begin(), to.begin() + index, to.begin() + index + 1);
+  }
+
+  size = static_cast<std::uint8_t>(count);
+  if (to[count - 1] != from[0])
+  {
+    if (std::find(from.begin(), from.begin() + count, to[count - 1]) != from.begin() + count)
+    {
+      size = 0;
+      return this->KindOfIrregular(p);
+    }
+    std::copy_n(from.begin(), count, ring);
+    ring[count] = to[count - 1];
+    ++size;
+    return Kind::Open;
+  }
+  const Id start = this->FirstOf(from.data(), count);
+  std::rotate_copy(from.begin(), from.begin() + start, from.begin() + count, ring);
+  return Kind::Closed;
+}
+
+/// Where the first of some points by position is among them.
+Id OrderedRings::FirstOf(const Id* points, Id size) const
+{
+  const auto comesBefore = [this](Id p, Id q)
+  { return ComesBefore(this->Mesh_.Point(p), this->Mesh_.Point(q)); };
+  return static_cast<Id>(std::min_element(points, points + size, comesBefore) - points);
+}
+
+OrderedRings::Kind OrderedRings::KindOfIrregular(Id p) const
+{
+  std::vector<Id> neighbors;
+  for (const Id t : this->Mesh_.TrianglesAround(p))
+  {
+    for (const Id q : this->Mesh_.Corners(t))
+    {
+      if (q != p)
+      {
+        neighbors.push_back(q);
+      }
+    }
+  }
+  std::sort(neighbors.begin(), neighbors.end());
+  for (std::size_t i = 0; i < neighbors.size(); i += 2)
+  {
+    const bool inTwoTriangles = i + 1 < neighbors.size() && neighbors[i] == neighbors[i + 1] &&
+      (i + 2 == neighbors.size() || neighbors[i + 2] != neighbors[i]);
+    if (!inTwoTriangles)
+    {
+      return Kind::IrregularOnBorder;
+    }
+  }
+  return Kind::Irregular;
+}
+
+} // namespace ridges

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef ridges_PositionOrder_h
+#define ridges_PositionOrder_h
+
+#include "Mesh/TriangleMesh.h"
+
+namespace ridges
+{
+
+/// By x, then y, then z: an order that the numbering has no part in.
+bool ComesBefore(const Eigen::Vector3d& a, const Eigen::Vector3d& b);
+
+/// The same of two triangles, by their centroids.
+bool ComesBefore(const TriangleMesh& mesh, Id a, Id b);
+
+/// The ends of an edge, that first which comes first by position: what is computed from one end to
+/// the other does not depend on the numbering then.
+struct OrderedEdge
+{
+  OrderedEdge(const TriangleMesh& mesh, Id edge);
+
+  Id p;
+  Id q;
+  bool swaps; ///< Whether p is the larger point id.
+};
+
+/// A side of a triangle and the triangle across it.
+struct NeighborAcross
+{
+  Id edge;
+  Id triangle;
+};
+
+/// The up to three neighbours of a triangle, by their centroids.
+class NeighborsByPosition
+{
+public:
+  NeighborsByPosition(const TriangleMesh& mesh, Id triangle);
+
+  const NeighborAcross* begin() const { return this->Neighbors_.data(); }
+  const NeighborAcross* end() const { return this->Neighbors_.data() + this->Size_; }
+
+private:
+  std::array<NeighborAcross, 3> Neighbors_;
+  int Size_ = 0;
+};
+
+} // namespace ridges
+
+#endif

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef ridges_RingNeighborhood_h
+#define ridges_RingNeighborhood_h
+
+#include "Mesh/OrderedRings.h"
+
+namespace ridges
+{
+
+/// How far a neighbourhood reaches.
+struct NeighborhoodRule
+{
+  enum class Kind
+  {
+    PointCount,         ///< Whole rings until there are at least `minimumNumberOfPoints` points.
+    Rings,              ///< Exactly `numberOfRings` rings.
+    RingsAndPointCount, ///< Whole rings until there are at least that many rings and points.
+    Radius              ///< The points connected to the vertex inside the ball of that `radius`.
+  };
+  Kind kind = Kind::PointCount;
+  int minimumNumberOfPoints = 18;
+  int numberOfRings = 2;
+  double radius = 0.0;
+};
+
+/**
+ * Gathers the points around a vertex, walking along edges only, so that the other side of a thin
+ * wall is never taken. Holds scratch memory: use one per thread.
+ */
+class RingNeighborhood
+{
+public:
+  RingNeighborhood(const TriangleMesh& mesh, const OrderedRings& rings);
+
+  /**
+   * The vertex, and then ring after ring of the points around it, in an order that does not depend
+   * on the numbering of the mesh, so that neither does a sum taken in it. Valid until the next
+   * call.
+   */
+  Span<Id> Gather(Id vertex, const NeighborhoodRule& rule);
+
+  /// The last neighbourhood with one ring more; the same one if there is nothing around it.
+  Span<Id> Grow();
+
+  /// Number of rings that the last call completed (0 for a radius).
+  int NumberOfRings() const { return this->NumberOfRings_; }
+
+private:
+  void Begin(Id vertex);
+  bool AddTwoRings();
+  template <typename Accept>
+  bool AddRing(Accept accept);
+  Span<Id> NeighborsOfIrregular(Id p);
+
+  const TriangleMesh& Mesh_;
+  const OrderedRings& Rings_;
+  std::vector<std::uint32_t> Stamps_;
+  std::uint32_t Stamp_ = 0;
+  std::vector<Id> Points_; ///< Longer than the neighbourhood, which has Count_ points.
+  Id Count_ = 0;
+  Id RingBegin_ = 0;
+  int NumberOfRings_ = 0;
+  std::vector<Id> Irregular_; ///< Neighbours of the irregular point visited last.
+};
+
+} // namespace ridges
+
+#endif

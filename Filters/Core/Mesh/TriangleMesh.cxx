@@ -1,0 +1,340 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Mesh/TriangleMesh.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace ridges
+{
+namespace
+{
+
+Buffer<Triangle> CopyOf(const std::vector<Triangle>& triangles)
+{
+  Buffer<Triangle> copy(triangles.size());
+  std::copy(triangles.begin(), triangles.end(), copy.begin());
+  return copy;
+}
+
+} // namespace
+
+TriangleMesh::TriangleMesh(const double* points, Id numberOfPoints, Buffer<Triangle> triangles,
+  Edges edges, const RangeLoop& loop, Id shares)
+  : Points_(points)
+  , NumberOfPoints_(numberOfPoints)
+  , Triangles_(std::move(triangles))
+{
+  this->BuildIncidence(loop, shares);
+  if (edges == Edges::Built)
+  {
+    this->BuildEdges(loop);
+  }
+}
+
+TriangleMesh::TriangleMesh(
+  const double* points, Id numberOfPoints, const std::vector<Triangle>& triangles, Edges edges)
+  : TriangleMesh(points, numberOfPoints, CopyOf(triangles), edges)
+{
+}
+
+void TriangleMesh::BuildIncidence(const RangeLoop& loop, Id shares)
+{
+  // Each share of the triangles counts its corners at the points; what it counted then becomes
+  // the place of the next triangle of this share at the point, behind those of the shares before.
+  const auto points = static_cast<std::size_t>(this->NumberOfPoints_);
+  Buffer<Id> next(points * shares);
+  const auto forShares = [&](auto visit)
+  {
+    loop(shares,
+      [&](Id begin, Id end)
+      {
+        for (Id share = begin; share < end; ++share)
+        {
+          const std::int64_t count = this->NumberOfTriangles();
+          visit(next.data() + points * share, static_cast<Id>(count * share / shares),
+            static_cast<Id>(count * (share + 1) / shares));
+        }
+      });
+  };
+  forShares(
+    [&](Id* counts, Id begin, Id end)
+    {
+      std::fill_n(counts, points, 0);
+      for (Id t = begin; t < end; ++t)
+      {
+        for (const Id p : this->Triangles_[t])
+        {
+          ++counts[p];
+        }
+      }
+    });
+
+  this->Offsets_ = Buffer<Id>(points + 1);
+  Id sum = 0;
+  for (std::size_t p = 0; p < points; ++p)
+  {
+    this->Offsets_[p] = sum;
+    for (Id share = 0; share < shares; ++share)
+    {
+      Id& place = next[points * share + p];
+      const Id count = place;
+      place = sum;
+      sum += count;
+    }
+  }
+  this->Offsets_[points] = sum;
+
+  this->Incident_ = Buffer<Id>(sum);
+  forShares(
+    [&](Id* places, Id begin, Id end)
+    {
+      for (Id t = begin; t < end; ++t)
+      {
+        for (const Id p : this->Triangles_[t])
+        {
+          this->Incident_[places[p]++] = t;
+        }
+      }
+    });
+}
+
+void TriangleMesh::BuildEdges(const RangeLoop& loop)
+{
+  // Chunks of points find and number the edges to larger points on their own; then the chunks are
+  // put one behind the other.
+  constexpr Id chunkSize = 4096;
+  const Id count = this->NumberOfPoints_;
+  const Id chunks = (count + chunkSize - 1) / chunkSize;
+  std::vector<std::vector<Edge>> found(chunks);
+  std::vector<std::vector<Id>> border(chunks); // in found[chunk]
+  this->TriangleEdges_ = Buffer<Triangle>(this->Triangles_.size());
+  loop(chunks,
+    [&](Id begin, Id end)
+    {
+      for (Id chunk = begin; chunk < end; ++chunk)
+      {
+        this->FindEdges(
+          chunk * chunkSize, std::min(count, (chunk + 1) * chunkSize), found[chunk], border[chunk]);
+      }
+    });
+
+  std::vector<Id> first(static_cast<std::size_t>(chunks) + 1, 0);
+  for (Id chunk = 0; chunk < chunks; ++chunk)
+  {
+    first[chunk + 1] = first[chunk] + static_cast<Id>(found[chunk].size());
+  }
+  this->Edges_ = Buffer<Edge>(first[chunks]);
+  loop(chunks,
+    [&](Id begin, Id end)
+    {
+      for (Id chunk = begin; chunk < end; ++chunk)
+      {
+        std::copy(found[chunk].begin(), found[chunk].end(), this->Edges_.begin() + first[chunk]);
+      }
+    });
+  loop(this->NumberOfTriangles(),
+    [&](Id begin, Id end)
+    {
+      for (Id t = begin; t < end; ++t)
+      {
+        const Triangle& c = this->Triangles_[t];
+        for (int i = 0; i < 3; ++i)
+        {
+          this->TriangleEdges_[t][i] += first[std::min(c[i], c[(i + 1) % 3]) / chunkSize];
+        }
+      }
+    });
+
+  this->OnBorder_.assign(count, 0);
+  for (Id chunk = 0; chunk < chunks; ++chunk)
+  {
+    for (const Id e : border[chunk])
+    {
+      const Edge& edge = found[chunk][e];
+      this->OnBorder_[edge.v0] = 1;
+      this->OnBorder_[edge.v1] = 1;
+    }
+  }
+}
+
+/// Appends the edges from the points [begin, end) to larger ones, numbered from 0, and the numbers
+/// of those that do not have exactly two triangles.
+void TriangleMesh::FindEdges(Id begin, Id end, std::vector<Edge>& edges, std::vector<Id>& border)
+{
+  struct HalfEdge
+  {
+    Id other;
+    Id triangle;
+    int side;
+  };
+  edges.reserve(3 * static_cast<std::size_t>(end - begin) + 64);
+  std::vector<HalfEdge> halfEdges;
+  for (Id p = begin; p < end; ++p)
+  {
+    // Sorted by the other end: safe also where very many triangles share one point.
+    halfEdges.clear();
+    for (const Id t : this->TrianglesAround(p))
+    {
+      const Triangle& corners = this->Triangles_[t];
+      for (int i = 0; i < 3; ++i)
+      {
+        const Id a = corners[i];
+        const Id b = corners[(i + 1) % 3];
+        if (std::min(a, b) == p)
+        {
+          halfEdges.push_back({ std::max(a, b), t, i });
+        }
+      }
+    }
+    std::sort(halfEdges.begin(), halfEdges.end(),
+      [](const HalfEdge& a, const HalfEdge& b)
+      { return a.other != b.other ? a.other < b.other : a.triangle < b.triangle; });
+
+    for (std::size_t i = 0; i < halfEdges.size();)
+    {
+      std::size_t last = i + 1;
+      while (last < halfEdges.size() && halfEdges[last].other == halfEdges[i].other)
+      {
+        ++last;
+      }
+      const std::size_t count = last - i;
+      const Id t1 = count == 2 ? halfEdges[i + 1].triangle : (count == 1 ? Border : NonManifold);
+      const Id number = static_cast<Id>(edges.size());
+      edges.push_back({ p, halfEdges[i].other, halfEdges[i].triangle, t1 });
+      if (t1 < 0)
+      {
+        border.push_back(number);
+      }
+      for (; i < last; ++i)
+      {
+        this->TriangleEdges_[halfEdges[i].triangle][halfEdges[i].side] = number;
+      }
+    }
+  }
+}
+
+Eigen::Vector3d TriangleMesh::Centroid(Id t) const
+{
+  // Summed by size, so that the corner that a triangle starts at does not show even in round-off.
+  const Triangle& c = this->Corners(t);
+  Eigen::Vector3d centroid;
+  for (int i = 0; i < 3; ++i)
+  {
+    std::array<double, 3> values = { this->Point(c[0])[i], this->Point(c[1])[i],
+      this->Point(c[2])[i] };
+    std::sort(values.begin(), values.end());
+    centroid[i] = (values[0] + values[1] + values[2]) / 3.0;
+  }
+  return centroid;
+}
+
+Eigen::Vector3d TriangleMesh::AreaNormal(Id t) const
+{
+  const Triangle& c = this->Triangles_[t];
+  const Eigen::Vector3d e1 = this->Point(c[1]) - this->Point(c[0]);
+  const Eigen::Vector3d e2 = this->Point(c[2]) - this->Point(c[0]);
+  return e1.cross(e2);
+}
+
+Eigen::Vector3d TriangleMesh::PointNormal(Id p) const
+{
+  Eigen::Vector3d normal = Eigen::Vector3d::Zero();
+  for (const Id t : this->TrianglesAround(p))
+  {
+    normal += this->AreaNormal(t);
+  }
+  return normal;
+}
+
+double TriangleMesh::MeanEdgeLength() const
+{
+  double sum = 0.0;
+  for (const Edge& edge : this->Edges_)
+  {
+    sum += (this->Point(edge.v0) - this->Point(edge.v1)).norm();
+  }
+  return this->NumberOfEdges() > 0 ? sum / this->NumberOfEdges() : 0.0;
+}
+
+Id TriangleMesh::EulerCharacteristic() const
+{
+  Id used = 0;
+  for (Id p = 0; p < this->NumberOfPoints_; ++p)
+  {
+    used += this->Offsets_[p + 1] > this->Offsets_[p] ? 1 : 0;
+  }
+  return used - this->NumberOfEdges() + this->NumberOfTriangles();
+}
+
+Id TriangleMesh::NumberOfInconsistentEdges() const
+{
+  const auto startsAt = [this](Id t, Id e)
+  {
+    const Triangle& edges = this->TriangleEdges_[t];
+    const auto side = std::find(edges.begin(), edges.end(), e) - edges.begin();
+    return this->Triangles_[t][side];
+  };
+  Id count = 0;
+  for (Id e = 0; e < this->NumberOfEdges(); ++e)
+  {
+    const Edge& edge = this->Edges_[e];
+    count += edge.t1 >= 0 && startsAt(edge.t0, e) == startsAt(edge.t1, e) ? 1 : 0;
+  }
+  return count;
+}
+
+Id TriangleMesh::NumberOfNonManifoldEdges() const
+{
+  return static_cast<Id>(std::count_if(this->Edges_.begin(), this->Edges_.end(),
+    [](const Edge& edge) { return edge.t1 == NonManifold; }));
+}
+
+TriangleMesh TriangleMesh::ConsistentlyOriented() const
+{
+  Buffer<Triangle> triangles(this->Triangles_.size());
+  std::copy(this->Triangles_.begin(), this->Triangles_.end(), triangles.begin());
+  std::vector<std::uint8_t> isReached(this->NumberOfTriangles(), 0);
+  std::vector<Id> reached;
+  for (Id first = 0; first < this->NumberOfTriangles(); ++first)
+  {
+    if (isReached[first])
+    {
+      continue;
+    }
+    isReached[first] = 1;
+    reached.assign(1, first);
+    for (std::size_t i = 0; i < reached.size(); ++i)
+    {
+      for (int side = 0; side < 3; ++side)
+      {
+        const Id next = this->Neighbor(reached[i], side);
+        if (next < 0 || isReached[next])
+        {
+          continue;
+        }
+        isReached[next] = 1;
+        reached.push_back(next);
+        // Whether both run through their edge in one sense, as they are now.
+        const Triangle& t = triangles[reached[i]];
+        Triangle& s = triangles[next];
+        for (int j = 0; j < 3; ++j)
+        {
+          for (int k = 0; k < 3; ++k)
+          {
+            if (s[j] == t[k] && s[(j + 1) % 3] == t[(k + 1) % 3])
+            {
+              std::swap(s[1], s[2]);
+              j = k = 3;
+            }
+          }
+        }
+      }
+    }
+  }
+  return TriangleMesh(this->Points_, this->NumberOfPoints_, std::move(triangles));
+}
+
+} // namespace ridges

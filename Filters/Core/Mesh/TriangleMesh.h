@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef ridges_TriangleMesh_h
+#define ridges_TriangleMesh_h
+
+#include "Base/Buffer.h"
+
+#include <Eigen/Core>
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+namespace ridges
+{
+
+/// Index of a point, an edge or a triangle. 32 bits keep the adjacency small.
+using Id = std::int32_t;
+
+/// Runs body(begin, end) over ranges that make up [0, count), maybe at the same time: how callers
+/// lend threads to the numerics, which have none of their own.
+using RangeLoop = std::function<void(Id count, const std::function<void(Id, Id)>& body)>;
+
+/// Corners of a triangle, in the order that orients it.
+using Triangle = std::array<Id, 3>;
+
+/// A run of consecutive values owned by somebody else.
+template <typename T>
+struct Span
+{
+  const T* first = nullptr;
+  const T* last = nullptr;
+
+  const T* begin() const { return first; }
+  const T* end() const { return last; }
+  Id size() const { return static_cast<Id>(last - first); }
+  const T& operator[](Id i) const { return first[i]; }
+};
+
+/// An undirected edge, from the smaller point id to the larger, and the triangles at its sides.
+struct Edge
+{
+  Id v0;
+  Id v1;
+  Id t0;
+  Id t1; ///< The second triangle, or TriangleMesh::Border, or TriangleMesh::NonManifold.
+};
+
+/**
+ * Triangles over points that the caller keeps, with the adjacency all later steps walk on: the
+ * triangles around a point (compressed rows) and the edges, each numbered once.
+ *
+ * Any triangles whose corners are three different points are accepted; where more than two meet
+ * in an edge the edge is NonManifold and separates them, as a border does.
+ */
+class TriangleMesh
+{
+public:
+  static constexpr Id Border = -1;
+  static constexpr Id NonManifold = -2;
+
+  TriangleMesh() = default;
+
+  /// Whether the edges are numbered, which takes most of the time.
+  enum class Edges
+  {
+    Built,
+    NotBuilt
+  };
+
+  /// `points` holds x, y, z of each point and must outlive the mesh. No triangle may repeat a
+  /// corner or name a point that is not there. The loop is run over so many shares of the
+  /// triangles, which each take memory of 4 bytes per point meanwhile; no result depends on them.
+  TriangleMesh(const double* points, Id numberOfPoints, Buffer<Triangle> triangles,
+    Edges edges = Edges::Built, const RangeLoop& loop = InOneRange, Id shares = 1);
+  TriangleMesh(const double* points, Id numberOfPoints, const std::vector<Triangle>& triangles,
+    Edges edges = Edges::Built);
+
+  /// Numbers the edges: for whatever speaks of edges, neighbours or borders. By the smaller of
+  /// their points, and there by the larger, whatever the loop.
+  void BuildEdges(const RangeLoop& loop = InOneRange);
+  static void InOneRange(Id count, const std::function<void(Id, Id)>& body) { body(0, count); }
+
+  Id NumberOfPoints() const { return this->NumberOfPoints_; }
+  Id NumberOfTriangles() const { return static_cast<Id>(this->Triangles_.size()); }
+  Id NumberOfEdges() const { return static_cast<Id>(this->Edges_.size()); }
+
+  Eigen::Map<const Eigen::Vector3d> Point(Id p) const
+  {
+    return Eigen::Map<const Eigen::Vector3d>(this->Points_ + 3 * static_cast<std::size_t>(p));
+  }
+  const Triangle& Corners(Id t) const { return this->Triangles_[t]; }
+  const Edge& EdgeAt(Id e) const { return this->Edges_[e]; }
+
+  /// The edge of triangle t that joins its corners i and i + 1 (modulo 3).
+  Id EdgeOf(Id t, int i) const { return this->TriangleEdges_[t][i]; }
+
+  /// The triangle across edge i of triangle t, or Border, or NonManifold.
+  Id Neighbor(Id t, int i) const
+  {
+    const Edge& edge = this->Edges_[this->TriangleEdges_[t][i]];
+    return edge.t1 < 0 ? edge.t1 : edge.t0 + edge.t1 - t;
+  }
+
+  /// The triangles that have p as a corner, in ascending order.
+  Span<Id> TrianglesAround(Id p) const
+  {
+    const Id* base = this->Incident_.data();
+    return { base + this->Offsets_[p], base + this->Offsets_[p + 1] };
+  }
+
+  /// Where TrianglesAround(p) begin among those of all points.
+  Id Offset(Id p) const { return this->Offsets_[p]; }
+
+  /// Whether p is an end of an edge that does not have exactly two triangles.
+  bool OnBorder(Id p) const { return this->OnBorder_[p] != 0; }
+
+  Eigen::Vector3d Centroid(Id t) const;
+
+  /// Normal of a triangle, as long as twice its area.
+  Eigen::Vector3d AreaNormal(Id t) const;
+
+  /// Sum of the area normals around p: not of unit length, zero where p has no triangle.
+  Eigen::Vector3d PointNormal(Id p) const;
+
+  /// 0 without edges.
+  double MeanEdgeLength() const;
+
+  /// Points of the triangles - edges + triangles: points of no triangle are left out.
+  Id EulerCharacteristic() const;
+
+  /// Edges whose two triangles run through them in the same direction.
+  Id NumberOfInconsistentEdges() const;
+
+  /// The same triangles, some of them turned around so that neighbours run through their edge in
+  /// opposite senses wherever that is possible: each connected part in the sense of its first.
+  TriangleMesh ConsistentlyOriented() const;
+
+  /// Edges with more than two triangles.
+  Id NumberOfNonManifoldEdges() const;
+
+private:
+  void BuildIncidence(const RangeLoop& loop, Id shares);
+  void FindEdges(Id begin, Id end, std::vector<Edge>& edges, std::vector<Id>& border);
+
+  const double* Points_ = nullptr;
+  Id NumberOfPoints_ = 0;
+  Buffer<Triangle> Triangles_;
+  Buffer<Triangle> TriangleEdges_;
+  Buffer<Edge> Edges_;
+  Buffer<Id> Offsets_;
+  Buffer<Id> Incident_;
+  std::vector<std::uint8_t> OnBorder_;
+};
+
+} // namespace ridges
+
+#endif

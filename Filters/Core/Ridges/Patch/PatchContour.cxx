@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Ridges/Patch/PatchContour.h"
+
+#include "Mesh/PositionOrder.h"
+
+#include <algorithm>
+
+namespace ridges
+{
+
+PatchContour::PatchContour(const TriangleMesh& mesh, const std::vector<Id>& triangles)
+  : Mesh_(mesh)
+{
+  if (triangles.empty())
+  {
+    return;
+  }
+  this->GlueAll(triangles);
+  if (!this->Walk())
+  {
+    const auto comesFirst = [&mesh](Id a, Id b) { return ComesBefore(mesh, a, b); };
+    this->GlueTree(*std::min_element(triangles.begin(), triangles.end(), comesFirst));
+    this->Walk();
+  }
+}
+
+int PatchContour::SideOf(Id triangle, Id edge) const
+{
+  return this->Mesh_.EdgeOf(triangle, 0) == edge
+    ? 0
+    : (this->Mesh_.EdgeOf(triangle, 1) == edge ? 1 : 2);
+}
+
+Id PatchContour::Across(Id triangle, Id edge) const
+{
+  const int side = this->SideOf(triangle, edge);
+  return (this->Glued_.at(triangle) >> side & 1U) != 0 ? this->Mesh_.Neighbor(triangle, side) : -1;
+}
+
+void PatchContour::GlueAll(const std::vector<Id>& triangles)
+{
+  for (const Id t : triangles)
+  {
+    this->Glued_[t] = 0;
+  }
+  for (auto& glued : this->Glued_)
+  {
+    for (int side = 0; side < 3; ++side)
+    {
+      const Id neighbor = this->Mesh_.Neighbor(glued.first, side);
+      glued.second |= neighbor >= 0 && this->Contains(neighbor) ? 1U << side : 0U;
+    }
+  }
+}
+
+void PatchContour::GlueTree(Id root)
+{
+  std::vector<Id> reached{ root };
+  std::unordered_map<Id, unsigned> tree{ { root, 0U } };
+  for (std::size_t i = 0; i < reached.size(); ++i)
+  {
+    for (const NeighborAcross& next : NeighborsByPosition(this->Mesh_, reached[i]))
+    {
+      if (this->Contains(next.triangle) && tree.count(next.triangle) == 0)
+      {
+        tree[reached[i]] |= 1U << this->SideOf(reached[i], next.edge);
+        tree[next.triangle] = 1U << this->SideOf(next.triangle, next.edge);
+        reached.push_back(next.triangle);
+      }
+    }
+  }
+  this->Glued_ = std::move(tree);
+}
+
+std::size_t PatchContour::NumberOfSides() const
+{
+  std::size_t count = 0;
+  for (const auto& glued : this->Glued_)
+  {
+    for (int side = 0; side < 3; ++side)
+    {
+      count += (glued.second >> side & 1U) == 0 ? 1 : 0;
+    }
+  }
+  return count;
+}
+
+bool PatchContour::Walk()
+{
+  this->Sides_.clear();
+  const std::size_t count = this->NumberOfSides();
+  // From a place that depends neither on a hash table nor on the numbering.
+  Id first = -1;
+  int firstSide = 0;
+  Eigen::Vector3d least;
+  for (const auto& glued : this->Glued_)
+  {
+    for (int side = 0; side < 3; ++side)
+    {
+      const Triangle& corners = this->Mesh_.Corners(glued.first);
+      const Eigen::Vector3d middle =
+        this->Mesh_.Point(corners[side]) + this->Mesh_.Point(corners[(side + 1) % 3]);
+      // An edge that is cut has two triangles.
+      const bool comesFirst = first < 0 || ComesBefore(middle, least) ||
+        (middle == least && ComesBefore(this->Mesh_, glued.first, first));
+      if ((glued.second >> side & 1U) == 0 && comesFirst)
+      {
+        first = glued.first;
+        firstSide = side;
+        least = middle;
+      }
+    }
+  }
+  if (first < 0)
+  {
+    return false;
+  }
+
+  Id triangle = first;
+  Id edge = this->Mesh_.EdgeOf(first, firstSide);
+  Id end = this->Mesh_.Corners(first)[(firstSide + 1) % 3];
+  do
+  {
+    Side step{ triangle, edge, end, {} };
+    // Around the end, from the edge that leads there to the next one that leads on.
+    for (;;)
+    {
+      const Triangle& corners = this->Mesh_.Corners(triangle);
+      const int corner = corners[0] == end ? 0 : (corners[1] == end ? 1 : 2);
+      const Id after = this->Mesh_.EdgeOf(triangle, corner);
+      const Id before = this->Mesh_.EdgeOf(triangle, (corner + 2) % 3);
+      edge = edge == after ? before : after;
+      const Id across = this->Across(triangle, edge);
+      if (across < 0)
+      {
+        break;
+      }
+      step.spokes.push_back(edge);
+      triangle = across;
+    }
+    const Edge& next = this->Mesh_.EdgeAt(edge);
+    end = next.v0 == end ? next.v1 : next.v0;
+    this->Sides_.push_back(std::move(step));
+  } while (this->Sides_.size() <= count &&
+    !(triangle == this->Sides_.front().triangle && edge == this->Sides_.front().edge));
+  return this->Sides_.size() == count;
+}
+
+} // namespace ridges

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef ridges_PatchContour_h
+#define ridges_PatchContour_h
+
+#include "Mesh/TriangleMesh.h"
+
+#include <unordered_map>
+
+namespace ridges
+{
+
+/**
+ * The contour of connected triangles, as one closed walk around them.
+ *
+ * They are taken as glued along all edges between them if that leaves one contour, as for a disk.
+ * Else, where they enclose others or meet themselves, they are glued along the edges of a tree
+ * only, as if cut along the rest: any connected triangles are a disk then.
+ */
+class PatchContour
+{
+public:
+  /// A step of the walk: an edge of the contour, and what lies around the point at its end.
+  struct Side
+  {
+    Id triangle; ///< Inside, next to the edge.
+    Id edge;
+    Id end;                 ///< The point that the walk comes to.
+    std::vector<Id> spokes; ///< The inner edges at that point, in the order of the walk.
+  };
+
+  PatchContour(const TriangleMesh& mesh, const std::vector<Id>& triangles);
+
+  const std::vector<Side>& Sides() const { return this->Sides_; }
+
+  bool Contains(Id triangle) const { return this->Glued_.count(triangle) > 0; }
+
+  /// The triangle across one of the edges of a triangle that it is glued to, or -1.
+  Id Across(Id triangle, Id edge) const;
+
+private:
+  void GlueAll(const std::vector<Id>& triangles);
+  void GlueTree(Id root);
+  bool Walk();
+  std::size_t NumberOfSides() const;
+  int SideOf(Id triangle, Id edge) const;
+
+  const TriangleMesh& Mesh_;
+  std::unordered_map<Id, unsigned> Glued_; ///< A bit for each side of a triangle.
+  std::vector<Side> Sides_;
+};
+
+} // namespace ridges
+
+#endif

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Ridges/RidgeAssembly.h"
+
+#include <algorithm>
+#include <array>
+
+namespace ridges
+{
+namespace
+{
+
+constexpr Id None = -1;
+
+/// Walks from segment to segment across the edges where exactly two meet.
+class Walker
+{
+public:
+  Walker(const RidgeCrossings& crossings, const std::vector<RidgeSegment>& segments)
+    : Crossings_(crossings)
+    , Segments_(segments)
+    , At_(crossings.Size(), { None, None })
+    , Visited_(segments.size(), false)
+  {
+    for (std::size_t s = 0; s < segments.size(); ++s)
+    {
+      for (const Id edge : { segments[s].edge0, segments[s].edge1 })
+      {
+        if (edge != RidgeSegment::ToUmbilic && crossings.Mesh().EdgeAt(edge).t1 >= 0)
+        {
+          auto& pair = this->At_[crossings.NumberOf(edge)];
+          pair[pair[0] == None ? 0 : 1] = static_cast<Id>(s);
+        }
+      }
+    }
+  }
+
+  bool IsVisited(Id segment) const { return this->Visited_[segment]; }
+
+  /// The segment that continues across the edge, or None.
+  Id Across(Id segment, Id edge) const
+  {
+    if (edge == RidgeSegment::ToUmbilic || this->Crossings_.Mesh().EdgeAt(edge).t1 < 0)
+    {
+      return None;
+    }
+    const auto& pair = this->At_[this->Crossings_.NumberOf(edge)];
+    return pair[0] == segment ? pair[1] : pair[0];
+  }
+
+  /// The ridge that starts in the segment at its end `from`.
+  Ridge Walk(Id segment, Id from)
+  {
+    Ridge ridge;
+    ridge.nodes.push_back(this->NodeOf(segment, from));
+    while (segment != None && !this->Visited_[segment])
+    {
+      this->Visited_[segment] = true;
+      const RidgeSegment& s = this->Segments_[segment];
+      const Id to = s.edge0 == from ? s.edge1 : s.edge0;
+      ridge.segments.push_back(segment);
+      ridge.nodes.push_back(this->NodeOf(segment, to));
+      segment = this->Across(segment, to);
+      from = to;
+    }
+    ridge.closed = segment != None;
+    return ridge;
+  }
+
+private:
+  Id NodeOf(Id segment, Id edge) const
+  {
+    return edge == RidgeSegment::ToUmbilic ? Ridge::AtUmbilic(this->Segments_[segment].triangle)
+                                           : edge;
+  }
+
+  const RidgeCrossings& Crossings_;
+  const std::vector<RidgeSegment>& Segments_;
+  std::vector<std::array<Id, 2>> At_; ///< Segments at each crossing.
+  std::vector<bool> Visited_;
+};
+
+} // namespace
+
+std::vector<Ridge> AssembleRidges(
+  const RidgeCrossings& crossings, const std::vector<RidgeSegment>& segments)
+{
+  Walker walker(crossings, segments);
+  const Id count = static_cast<Id>(segments.size());
+  std::vector<Ridge> ridges;
+  for (Id s = 0; s < count; ++s)
+  {
+    for (const Id edge : { segments[s].edge0, segments[s].edge1 })
+    {
+      if (!walker.IsVisited(s) && walker.Across(s, edge) == None)
+      {
+        ridges.push_back(walker.Walk(s, edge));
+      }
+    }
+  }
+  // What is left has no end.
+  for (Id s = 0; s < count; ++s)
+  {
+    if (!walker.IsVisited(s))
+    {
+      ridges.push_back(walker.Walk(s, segments[s].edge0));
+    }
+  }
+  return ridges;
+}
+
+} // namespace ridges

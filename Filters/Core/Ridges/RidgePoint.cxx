@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Ridges/RidgePoint.h"
+
+#include "Mesh/PositionOrder.h"
+#include "Monge/MongeInterpolation.h"
+#include "Umbilics/UmbilicForm.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ridges
+{
+namespace
+{
+
+/// The zero of the extremality between the two ends, where it has opposite signs: regula falsi in
+/// its Illinois form, whose first step is equation (4).
+double FindCrossing(const MongeInterpolation& interpolation, Color color)
+{
+  constexpr double tolerance = 1e-8; // of the edge
+  double begin = 0.0;
+  double end = 1.0;
+  double atBegin = interpolation.Extremality(color, begin);
+  double atEnd = interpolation.Extremality(color, end);
+  double t = CrossingParameter(atBegin, atEnd);
+  double step = 1.0;
+  int lastSide = 0;
+  for (int i = 0; i < 50 && step > tolerance; ++i)
+  {
+    const double value = interpolation.Extremality(color, t);
+    const int side = ExtremalitySign(value) == ExtremalitySign(atBegin) ? -1 : 1;
+    if (value == 0.0)
+    {
+      break;
+    }
+    (side < 0 ? begin : end) = t;
+    (side < 0 ? atBegin : atEnd) = value;
+    if (side == lastSide)
+    {
+      (side < 0 ? atEnd : atBegin) *= 0.5;
+    }
+    lastSide = side;
+    const double next = begin + (end - begin) * CrossingParameter(atBegin, atEnd);
+    step = std::abs(next - t);
+    t = next;
+  }
+  return t;
+}
+
+RidgePoint Interpolate(const TriangleMesh& mesh, const MongeField& field, Color color,
+  const OrderedEdge& ends, const MongeInterpolation& interpolation, double t)
+{
+  const MongeForm form = interpolation.At(t);
+  const bool blue = color == Color::Blue;
+
+  RidgePoint point;
+  point.color = color;
+  point.parameter = ends.swaps ? 1.0 - t : t;
+  point.position = (1.0 - t) * mesh.Point(ends.p) + t * mesh.Point(ends.q);
+  point.curvature = blue ? form.k1 : form.k2;
+  point.gap = form.k1 - form.k2;
+  point.crestMargin = std::abs(point.curvature) - std::abs(blue ? form.k2 : form.k1);
+  point.P = 0.0;
+  if (field.c)
+  {
+    point.P = blue ? form.P1() : form.P2();
+  }
+  else if (field.HasFourthOrder())
+  {
+    point.P = (1.0 - t) * field.P(color, ends.p) + t * field.P(color, ends.q);
+  }
+  return point;
+}
+
+} // namespace
+
+RidgePoint RidgePointOnEdge(
+  const TriangleMesh& mesh, const MongeField& field, Color color, CrossingRule rule, Id edge)
+{
+  const OrderedEdge ends(mesh, edge);
+  const MongeInterpolation interpolation(field, ends.p, ends.q);
+  const double t = rule == CrossingRule::Form
+    ? FindCrossing(interpolation, color)
+    : CrossingParameter(field.Extremality(color, ends.p), field.Extremality(color, ends.q));
+  return Interpolate(mesh, field, color, ends, interpolation, t);
+}
+
+RidgePoint RidgePointAt(
+  const TriangleMesh& mesh, const MongeField& field, Color color, Id edge, double parameter)
+{
+  const OrderedEdge ends(mesh, edge);
+  const MongeInterpolation interpolation(field, ends.p, ends.q);
+  return Interpolate(mesh, field, color, ends, interpolation, parameter);
+}
+
+RidgePoint RidgePointAtUmbilic(const TriangleMesh& mesh, const MongeField& field, Id triangle,
+  const Eigen::Vector3d& position, const RidgePoint& next)
+{
+  const Triangle corners = CornersInOrder(mesh, triangle);
+  const Eigen::Vector3d weights = UmbilicWeights(mesh, field, triangle);
+  RidgePoint point = next;
+  point.parameter = 0.0;
+  point.position = position;
+  point.curvature = 0.0;
+  for (int i = 0; i < 3; ++i)
+  {
+    point.curvature += weights[i] * 0.5 * (field.k1[corners[i]] + field.k2[corners[i]]);
+  }
+  point.gap = 0.0;
+  point.crestMargin = 0.0;
+  return point;
+}
+
+} // namespace ridges

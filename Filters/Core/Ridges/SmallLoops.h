@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef ridges_SmallLoops_h
+#define ridges_SmallLoops_h
+
+#include "Fit/FitErrors.h"
+#include "Ridges/RidgeAssembly.h"
+
+namespace ridges
+{
+
+/**
+ * Finds ridges that noise in b alone may have made: loops around a few points at which b0 (b3) is
+ * not significantly different from 0. Had it the other sign there the loop would not exist.
+ */
+class SmallLoops
+{
+public:
+  /// b has to be within `significance` standard errors of 0.
+  SmallLoops(const RidgeCrossings& crossings, const FitErrorSource& errors, double significance);
+
+  bool Contain(const Ridge& ridge, const std::vector<RidgeSegment>& segments,
+    const std::vector<RidgePath>& paths) const;
+
+private:
+  bool IsInsignificant(Id point) const;
+  bool IsInsignificantBehind(Id start, Id outside, const std::vector<Id>& fence) const;
+
+  const RidgeCrossings& Crossings_;
+  FitErrorSource Errors_;
+  double Significance_;
+};
+
+} // namespace ridges
+
+#endif

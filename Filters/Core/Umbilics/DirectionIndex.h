@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef ridges_DirectionIndex_h
+#define ridges_DirectionIndex_h
+
+#include "Monge/AcuteRule.h"
+
+#include <array>
+
+namespace ridges
+{
+
+/// Whether all three corners have directions, by a flag for each point; null means all have.
+bool AreUsable(const Triangle& corners, const std::uint8_t* usable);
+
+/**
+ * The index of the principal directions around triangles: a number of half turns that, summed over
+ * a closed oriented surface, is twice its Euler characteristic. Not nearly: on any mesh and with
+ * any directions, as nothing in it is measured twice in different ways (Poincare-Hopf).
+ *
+ * Around each point the angles of its triangles are stretched so that they sum to a full turn. A
+ * direction is carried along an edge by keeping its angle with the edge, and its turn on the edge
+ * is what it then differs by from the direction at the other end, which the acute rule picks from
+ * the two possible ones. Around a triangle the turns of the edges and the turn of what is carried
+ * around, by which its three stretched angles exceed half a turn, make whole half turns. Over a
+ * surface the former cancel, as each edge is run through in both senses, and the latter sum to
+ * the Euler characteristic.
+ *
+ * An odd number of half turns is what IsRegular tells: the index says the sign as well.
+ */
+class DirectionIndex
+{
+public:
+  /// `usable` tells the points that have directions, one flag for each; null means all.
+  DirectionIndex(const TriangleMesh& mesh, const MongeField& field, const std::uint8_t* usable);
+
+  bool IsUsable(Id triangle) const
+  {
+    return AreUsable(this->Mesh_.Corners(triangle), this->Usable_);
+  }
+
+  /// Whether all triangles are known to be.
+  bool AllAreUsable() const { return this->Usable_ == nullptr; }
+
+  /**
+   * Whether the normal at the point agrees with all triangles around it within 60 degrees, so that
+   * angles in the tangent plane are about those on the surface.
+   */
+  bool IsTame(Id point) const;
+
+  /**
+   * Whether the triangle may have an index other than 0: it is singular, or the surface or the
+   * directions turn so fast there that two half turns are possible. A cheap test, by rule of
+   * thumb: who needs certainty compares the sum of all indices with the Euler characteristic.
+   * `isTame` holds a flag for each point.
+   */
+  bool MayTurn(Id triangle, const std::vector<std::uint8_t>& isTame) const;
+
+  /// Half turns around a triangle whose points are all usable: 0, 1, -1, and hardly ever more.
+  int HalfTurns(Id triangle) const;
+
+  /// Half turns around connected triangles of which some may not be usable, but all next to them
+  /// are.
+  int HalfTurns(const std::vector<Id>& region) const;
+
+private:
+  struct Fan
+  {
+    double stretch = 1.0; ///< Of angles: 1 on the border.
+    double angle = 0.0;   ///< Of d1, from the first edge of the triangle at the corner.
+    double corner = 0.0;  ///< The angle of the triangle at the corner, not stretched.
+  };
+  using Fans = std::array<Fan, 3>;
+
+  Fan FanAt(Id triangle, int corner) const;
+  Fans FansAt(Id triangle) const;
+  Id AcrossInFan(Id triangle, int corner, int side, int& cornerOfNeighbor) const;
+  Id NextInFan(Id triangle, int corner, int& cornerOfNext) const;
+  Id PreviousInFan(Id triangle, int corner, int& cornerOfPrevious) const;
+  double Angle(Id triangle, int corner) const;
+  double TurnWithin(Id triangle, int side, const Fans& fans) const;
+  double TurnForBoth(Id triangle, int side) const;
+  double Turned(Id triangle) const;
+
+  const TriangleMesh& Mesh_;
+  MongeField Field_;
+  const std::uint8_t* Usable_;
+};
+
+} // namespace ridges
+
+#endif

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Umbilics/UmbilicDetection.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace ridges
+{
+namespace
+{
+
+constexpr double Pi = 3.14159265358979323846;
+
+/// Two unit axes of the plane with this normal.
+struct PlaneAxes
+{
+  explicit PlaneAxes(const Eigen::Vector3d& normal)
+    : e1(normal.unitOrthogonal())
+    , e2(normal.normalized().cross(e1))
+  {
+  }
+  double Angle(const Eigen::Vector3d& v) const { return std::atan2(v.dot(e2), v.dot(e1)); }
+
+  Eigen::Vector3d e1;
+  Eigen::Vector3d e2;
+};
+
+} // namespace
+
+double TriangleGap(const TriangleMesh& mesh, const MongeField& field, Id triangle)
+{
+  double sum = 0.0;
+  for (const Id p : mesh.Corners(triangle))
+  {
+    sum += field.k1[p] - field.k2[p];
+  }
+  return sum / 3.0;
+}
+
+bool MinimizesGapInOneRing(const TriangleMesh& mesh, const MongeField& field, Id triangle)
+{
+  const double gap = TriangleGap(mesh, field, triangle);
+  for (const Id corner : mesh.Corners(triangle))
+  {
+    for (const Id t : mesh.TrianglesAround(corner))
+    {
+      if (TriangleGap(mesh, field, t) < gap)
+      {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+double ContourIndex(
+  const MongeField& field, const std::vector<Id>& contour, const Eigen::Vector3d& normal)
+{
+  const PlaneAxes axes(normal);
+  double turned = 0.0;
+  for (std::size_t i = 0; i < contour.size(); ++i)
+  {
+    const double from = axes.Angle(field.D1(contour[i]));
+    const double to = axes.Angle(field.D1(contour[(i + 1) % contour.size()]));
+    // The directions have no sign: the smaller of the two turns, in [-pi/2, pi/2].
+    turned += std::remainder(to - from, Pi);
+  }
+  return 0.5 * std::round(turned / Pi);
+}
+
+UmbilicDetector::UmbilicDetector(
+  const TriangleMesh& mesh, const MongeField& field, double patchSize)
+  : Mesh_(mesh)
+  , Field_(field)
+  , PatchSize_(patchSize)
+  , Patch_(mesh)
+{
+}
+
+bool UmbilicDetector::Minimizes(Id triangle)
+{
+  if (!MinimizesGapInOneRing(this->Mesh_, this->Field_, triangle))
+  {
+    return false;
+  }
+  const double gap = TriangleGap(this->Mesh_, this->Field_, triangle);
+  const Span<Id> patch = this->Patch_.Grow(triangle, this->PatchSize_);
+  return std::all_of(patch.begin(), patch.end(),
+    [&](Id t) { return TriangleGap(this->Mesh_, this->Field_, t) >= gap; });
+}
+
+Id UmbilicDetector::NearestSingularTriangle(Span<Id> patch) const
+{
+  const Eigen::Vector3d center = this->Mesh_.Centroid(patch[0]);
+  Id nearest = patch[0];
+  double least = std::numeric_limits<double>::max();
+  for (const Id t : patch)
+  {
+    const double distance = (this->Mesh_.Centroid(t) - center).squaredNorm();
+    if (distance < least && !IsRegular(this->Mesh_, this->Field_, t))
+    {
+      least = distance;
+      nearest = t;
+    }
+  }
+  return nearest;
+}
+
+std::vector<Umbilic> UmbilicDetector::Select(std::vector<Id> candidates)
+{
+  std::sort(candidates.begin(), candidates.end(),
+    [this](Id s, Id t)
+    {
+      const double gapS = TriangleGap(this->Mesh_, this->Field_, s);
+      const double gapT = TriangleGap(this->Mesh_, this->Field_, t);
+      return gapS != gapT ? gapS < gapT : s < t;
+    });
+
+  std::vector<Umbilic> umbilics;
+  std::vector<bool> taken(this->Mesh_.NumberOfTriangles(), false);
+  for (const Id t : candidates)
+  {
+    const Span<Id> patch = this->Patch_.Grow(t, this->PatchSize_);
+    if (std::any_of(patch.begin(), patch.end(), [&](Id s) { return taken[s]; }))
+    {
+      continue;
+    }
+    const double index =
+      ContourIndex(this->Field_, this->Patch_.Contour(), this->Mesh_.AreaNormal(t));
+    if (std::abs(index) != 0.5)
+    {
+      continue;
+    }
+    const Id home = this->NearestSingularTriangle(patch);
+    umbilics.push_back(MakeUmbilic(
+      this->Mesh_, this->Field_, home, index, std::vector<Id>(patch.begin(), patch.end())));
+    for (const Id s : patch)
+    {
+      taken[s] = true;
+    }
+  }
+  return umbilics;
+}
+
+} // namespace ridges

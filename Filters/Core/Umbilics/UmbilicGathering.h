@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef ridges_UmbilicGathering_h
+#define ridges_UmbilicGathering_h
+
+#include "Umbilics/PairCancellation.h"
+#include "Umbilics/Umbilic.h"
+#include "Umbilics/UmbilicPatch.h"
+
+#include <unordered_map>
+
+namespace ridges
+{
+
+/**
+ * The umbilics of a mesh from the indices of its triangles, none of which is lost: what noise has
+ * split is cancelled (see PairCancellation.h), what is left are the umbilics, each in a patch.
+ *
+ * A patch is a disk grown around its umbilic's triangle up to the size asked for, but not farther
+ * than half way to the next umbilic. Of its growth that stage is taken, the last if there are
+ * several, at which as many ridges of each colour cross the contour as have to meet at the umbilic;
+ * if no stage up to that size will do, the first one up to twice the size; else just the last.
+ */
+class UmbilicGathering
+{
+public:
+  /// `charges` are all triangles with an index, as SpreadLargeCharges leaves them. `usable` tells
+  /// the points that have directions, one flag for each; null means all.
+  UmbilicGathering(const TriangleMesh& mesh, const MongeField& field,
+    const std::vector<IndexCharge>& charges, const std::vector<std::uint8_t>& isWeak,
+    const std::uint8_t* usable = nullptr);
+
+  /// Umbilics in the order of x, then y, then z of their triangles; those that stand for triangles
+  /// without directions come last.
+  std::vector<Umbilic> Umbilics(double patchSize);
+
+  /// Regions where umbilics have cancelled each other, outside all patches of the umbilics.
+  std::vector<std::vector<Id>> CancelledRegions() const;
+
+private:
+  std::vector<double> HalfWaysToNext() const;
+  std::vector<Id> ChoosePatch(
+    const IndexCharge& charge, int ridgeCount, double radius, double halfWay);
+
+  const TriangleMesh& Mesh_;
+  MongeField Field_;
+  const std::uint8_t* Usable_;
+  Cancellation Cancellation_;
+  std::unordered_map<Id, int> HalfTurns_;
+  std::unordered_map<Id, std::size_t> RegionOf_;
+  std::vector<bool> IsSwallowed_; ///< Whether a region is inside a patch.
+  UmbilicPatch Patch_;
+};
+
+/**
+ * Connected triangles on which k1 - k2 is nowhere significant, as on spheres and planes: what is
+ * inside is neither an umbilic nor free of them, but undecided. Those without a point that is
+ * inside are too small to speak of and left out.
+ */
+std::vector<std::vector<Id>> WeakZones(
+  const TriangleMesh& mesh, const std::vector<std::uint8_t>& isWeak);
+
+} // namespace ridges
+
+#endif

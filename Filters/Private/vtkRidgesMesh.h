@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef vtkRidgesMesh_h
+#define vtkRidgesMesh_h
+
+#include "Core/Mesh/TriangleMesh.h"
+
+#include "vtkSmartPointer.h"
+#include "vtkType.h"
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+class vtkInformationObjectBaseKey;
+class vtkPolyData;
+
+/**
+ * The triangles of a vtkPolyData as the numerics want them, private to the module. Polygons and
+ * strips are triangulated; triangles that cannot be used are left out here (not in the data set)
+ * and counted. Verts and lines stay where they are.
+ *
+ * Filters hand the mesh on with their output, so that those behind them need not build it again.
+ * It is known there only, not in copies of the output, and taken only as long as the points, the
+ * polys and their arrays are the very ones it was built from, and not modified since.
+ */
+class vtkRidgesMesh
+{
+public:
+  /**
+   * Triangles with a point p for which usable[p] is 0 are left out as well; an empty vector means
+   * that all points may be used. False where the mesh is larger than 32-bit numbering allows.
+   */
+  bool Build(vtkPolyData* input, const std::vector<std::uint8_t>& usable = {},
+    ridges::TriangleMesh::Edges edges = ridges::TriangleMesh::Edges::Built);
+
+  /// Numbers the edges, if that has not been done yet.
+  void BuildEdges();
+
+  /// For the filters that take `output`, a shallow copy of GetPolyData().
+  void HandOnWith(vtkPolyData* output) const;
+
+  /// The input itself or, if it holds polygons or strips, its triangulation.
+  vtkPolyData* GetPolyData() const { return this->PolyData; }
+
+  const ridges::TriangleMesh& GetTriangles() const { return *this->Triangles; }
+
+  /// The cell of the data set that a triangle is.
+  vtkIdType GetCellId(ridges::Id triangle) const
+  {
+    return this->FirstPoly + (this->PolyIds->empty() ? triangle : (*this->PolyIds)[triangle]);
+  }
+
+  /// Cells that were triangulated: polygons of more than three points, and strips.
+  vtkIdType GetNumberOfTriangulatedCells() const { return this->NumberOfTriangulatedCells; }
+
+  /// Triangles left out as two of their corners are one point, or a point is not finite or missing.
+  vtkIdType GetNumberOfUnusableTriangles() const;
+
+  /// Points that coincide with another one: a seam that merging them would close.
+  vtkIdType CountCoincidentPoints() const;
+
+private:
+  struct Adjacency;
+  class Carrier;
+
+  /// Where the information of an output holds a Carrier.
+  static vtkInformationObjectBaseKey* MESH();
+
+  bool TakeHandedOn(vtkPolyData* input, const std::vector<std::uint8_t>& usable);
+  bool BuildAnew(vtkPolyData* input, const std::vector<std::uint8_t>& usable);
+  void Take(std::shared_ptr<Adjacency> adjacency);
+
+  vtkSmartPointer<vtkPolyData> PolyData;
+  std::shared_ptr<Adjacency> Shared;
+  const ridges::TriangleMesh* Triangles = nullptr;  ///< Of Shared, as PolyIds.
+  const std::vector<ridges::Id>* PolyIds = nullptr; ///< Empty where all polys are triangles.
+  vtkIdType FirstPoly = 0;
+  vtkIdType NumberOfTriangulatedCells = 0;
+};
+
+#endif

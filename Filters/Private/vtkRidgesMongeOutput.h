@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef vtkRidgesMongeOutput_h
+#define vtkRidgesMongeOutput_h
+
+#include "Core/Fit/Batch/JetBatch.h"
+#include "Core/Fit/JetErrors.h"
+#include "Core/Mesh/TriangleMesh.h"
+#include "Core/Monge/MongeForm.h"
+
+#include "vtkDoubleArray.h"
+#include "vtkIntArray.h"
+#include "vtkNew.h"
+#include "vtkSmartPointer.h"
+
+#include <vector>
+
+class vtkPointData;
+
+/**
+ * The arrays that come out of vtkJetFitting, one tuple per point, each point to be stored once;
+ * private to the module.
+ */
+class vtkRidgesMongeOutput
+{
+public:
+  /// What is known of a fit besides the Monge form.
+  struct Quality
+  {
+    double conditionNumber = 0.0;
+    double residual = 0.0;
+    double radius = 0.0;
+    int status = 0;
+  };
+
+  vtkRidgesMongeOutput(vtkIdType count, int order, bool standardErrors);
+
+  void Store(vtkIdType p, const ridges::MongeForm& form, const Quality& quality);
+
+  /// The results of the lanes of a batch, but not their status. Results that are no good may be
+  /// among them: those are to be stored over.
+  void Store(ridges::Span<ridges::Id> points, const ridges::JetBatch& batch, int lanes);
+  void StoreStatus(vtkIdType p, int status) { this->Status[p] = status; }
+
+  /// Only if the arrays for it were asked for.
+  void StoreErrors(vtkIdType p, const ridges::JetErrors& errors);
+
+  void AddTo(vtkPointData* pointData);
+
+  vtkIntArray* GetStatus() { return this->StatusArray; }
+
+private:
+  void Add(double*& values, const char* name, int components, bool wanted,
+    const char* componentPrefix = nullptr);
+  void Allocate(vtkIdType count);
+
+  double *Normals, *MaximumCurvature, *MinimumCurvature, *MaximumDirection, *MinimumDirection,
+    *ThirdOrder, *FourthOrder, *P1, *P2, *ConditionNumber, *Residual, *Scale;
+  double *MaximumCurvatureError, *MinimumCurvatureError, *ThirdOrderError, *P1Error, *P2Error;
+  int* Status;
+  std::vector<vtkSmartPointer<vtkDoubleArray>> Arrays;
+  std::vector<double**> Values; ///< Which of the pointers above are those of the arrays.
+  vtkNew<vtkIntArray> StatusArray;
+};
+
+#endif

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef vtkRidgesPolylines_h
+#define vtkRidgesPolylines_h
+
+#include "Core/Ridges/RidgeMeasures.h"
+#include "Core/Ridges/RidgeTrace.h"
+
+#include "vtkCellArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkIdTypeArray.h"
+#include "vtkIntArray.h"
+#include "vtkNew.h"
+#include "vtkPoints.h"
+
+#include <unordered_map>
+#include <vector>
+
+class vtkPolyData;
+class vtkRidgesMesh;
+class vtkRidgesUmbilicMarks;
+
+/**
+ * Collects ridges as the polylines and arrays that vtkRidgeExtraction puts out, private to the
+ * module. What it is given has to outlive it.
+ */
+class vtkRidgesPolylines
+{
+public:
+  vtkRidgesPolylines(const vtkRidgesMesh& mesh, const vtkRidgesUmbilicMarks& umbilics,
+    const ridges::UmbilicCutOff& cutOff, double modelSize);
+
+  void SetCrestOnly(bool crestOnly) { this->CrestOnly = crestOnly; }
+
+  /// The next ridge: its runs of one type become polylines.
+  void AddRidge(const ridges::RidgeTrace& ridge);
+
+  void Store(vtkPolyData* output, bool hasFourthOrder);
+
+private:
+  vtkIdType InsertVertex(const ridges::RidgeVertex& vertex);
+
+  const vtkRidgesMesh& Mesh;
+  const vtkRidgesUmbilicMarks& Umbilics;
+  const ridges::UmbilicCutOff& CutOff;
+  double ModelSize;
+  bool CrestOnly = false;
+
+  vtkIdType NextRidgeId = 0;
+  std::unordered_map<ridges::Id, vtkIdType> UmbilicPoints; ///< By triangle.
+
+  vtkNew<vtkPoints> Points;
+  vtkNew<vtkCellArray> Lines;
+  vtkNew<vtkIntArray> RidgeType, Crest, Closed, TurningPoint;
+  vtkNew<vtkIdTypeArray> RidgeId, Umbilic, EdgePoint0, EdgePoint1;
+  vtkNew<vtkDoubleArray> Sharpness, Strength, Length, Curvature, SecondDerivative, EdgeParameter;
+};
+
+#endif

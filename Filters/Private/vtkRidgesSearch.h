@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef vtkRidgesSearch_h
+#define vtkRidgesSearch_h
+
+#include "Core/Ridges/RidgeTrace.h"
+
+#include <vector>
+
+class vtkAlgorithm;
+class vtkRidgesMesh;
+class vtkRidgesUmbilicMarks;
+
+/**
+ * Finds the whole ridges of a mesh, one colour after the other, private to the module. What it is
+ * given has to outlive it.
+ */
+class vtkRidgesSearch
+{
+public:
+  vtkRidgesSearch(const vtkRidgesMesh& mesh, const ridges::MongeField& field,
+    const vtkRidgesUmbilicMarks& umbilics);
+
+  void SetCrossingRule(ridges::CrossingRule rule) { this->CrossingRule = rule; }
+  void SetExtremalityRule(ridges::ExtremalityRule rule) { this->ExtremalityRule = rule; }
+  void SetTypeRule(ridges::TypeRule rule) { this->TypeRule = rule; }
+  void SetUsePatches(bool use) { this->UsePatches = use; }
+  void SetLoopSignificance(double significance) { this->LoopSignificance = significance; }
+  void SetShortestRun(double length) { this->ShortestRun = length; }
+
+  /// The ridges of a colour, or with the Gaussian rule those of both, in canonical form and order.
+  /// False if the user aborted the filter, whose progress runs from `from` to `to`.
+  bool Find(vtkAlgorithm* filter, ridges::Color color, double from, double to,
+    std::vector<ridges::RidgeTrace>& found) const;
+
+private:
+  ridges::UmbilicLookup MakeLookup() const;
+
+  const vtkRidgesMesh& Mesh;
+  const ridges::MongeField& Field;
+  const vtkRidgesUmbilicMarks& Umbilics;
+  ridges::CrossingRule CrossingRule = ridges::CrossingRule::Form;
+  ridges::ExtremalityRule ExtremalityRule = ridges::ExtremalityRule::Principal;
+  ridges::TypeRule TypeRule = ridges::TypeRule::FourthOrder;
+  bool UsePatches = true;
+  double LoopSignificance = 0.0;
+  double ShortestRun = 0.0;
+};
+
+#endif

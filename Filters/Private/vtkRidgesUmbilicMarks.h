@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef vtkRidgesUmbilicMarks_h
+#define vtkRidgesUmbilicMarks_h
+
+#include "Core/Ridges/Patch/PatchRidges.h"
+
+#include "vtkType.h"
+
+#include <unordered_map>
+#include <vector>
+
+class vtkDataArray;
+class vtkRidgesMesh;
+
+/**
+ * The umbilics that vtkUmbilicDetection has marked on a mesh, if it has, private to the module.
+ */
+class vtkRidgesUmbilicMarks
+{
+public:
+  explicit vtkRidgesUmbilicMarks(const vtkRidgesMesh& mesh);
+
+  /// Whether there are marks, even if of no umbilic.
+  bool AreThere() const { return this->Patch != nullptr; }
+
+  const std::vector<Eigen::Vector3d>& GetPositions() const { return this->Positions; }
+
+  /// The patches of the umbilics, and the regions where umbilics have cancelled each other.
+  const std::vector<ridges::RidgePatch>& GetPatches() const { return this->Patches; }
+
+  /// The umbilic whose triangle this is, or -1.
+  vtkIdType UmbilicAt(ridges::Id triangle) const;
+
+  /// The umbilic whose patch a triangle is in, or -1.
+  vtkIdType PatchOf(ridges::Id triangle) const;
+
+private:
+  void FetchUmbilics();
+  void FetchRegions(vtkDataArray* regions, std::size_t firstPatch);
+
+  const vtkRidgesMesh& Mesh;
+  vtkDataArray* Patch = nullptr;
+  std::vector<Eigen::Vector3d> Positions;
+  std::vector<ridges::RidgePatch> Patches;
+  std::unordered_map<vtkIdType, vtkIdType> UmbilicOfCell;
+};
+
+#endif

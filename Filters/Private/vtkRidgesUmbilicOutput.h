@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef vtkRidgesUmbilicOutput_h
+#define vtkRidgesUmbilicOutput_h
+
+#include "Core/Umbilics/Umbilic.h"
+
+#include <vector>
+
+class vtkPolyData;
+class vtkRidgesMesh;
+
+/**
+ * What vtkUmbilicDetection has found, and the arrays that tell it, private to the module.
+ */
+class vtkRidgesUmbilicOutput
+{
+public:
+  std::vector<ridges::Umbilic> umbilics;
+
+  /// Outside all patches, triangles where umbilics have cancelled each other.
+  std::vector<std::vector<ridges::Id>> cancelled;
+
+  /// Triangles where k1 - k2 is nowhere significant.
+  std::vector<std::vector<ridges::Id>> zones;
+
+  /// The mesh with the cell and field arrays that mark all this on it.
+  void MarkOnMesh(const vtkRidgesMesh& mesh, vtkPolyData* output) const;
+
+  /// A vertex per umbilic.
+  void StoreVertices(const vtkRidgesMesh& mesh, vtkPolyData* output) const;
+};
+
+#endif
