@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkPrincipalFoliation
- * @brief   draw evenly spaced curvature lines on a mesh that carries Monge arrays
+ * @brief   draw evenly spaced curvature lines on a mesh with Monge arrays
  *
- * A curvature line follows a principal direction; all lines of one direction make a foliation of
- * the surface without its umbilics (RR-5294, section 3 and Fig. 1). This filter draws some of
- * them, such that neighbours are about one Separation apart, whatever the mesh.
+ * A curvature line follows a principal direction. The lines of one direction form a foliation of
+ * the surface without its umbilics (RR-5294, section 3 and Fig. 1). This filter draws some of them,
+ * about one Separation apart, whatever the mesh.
  *
  * Input: a mesh with the point arrays MaximumCurvature, MinimumCurvature, MaximumDirection and
- * MinimumDirection of vtkJetFitting; FitStatus, if there, tells invalid points, whose triangles
- * are left out, and the cell array UmbilicPatch of vtkUmbilicDetection, if there, where lines end.
+ * MinimumDirection of vtkJetFitting; FitStatus, if present, marks invalid points, whose
+ * triangles are left out. Lines end at the cell array UmbilicPatch of vtkUmbilicDetection, if
+ * present.
  *
  * Output port 0: a polyline per curvature line; a loop comes back to its first point.
  *
@@ -25,26 +26,27 @@
  * of the paper. Lines are traced through it by the midpoint rule, from edge to edge, and folded
  * over the edge. They are second-order accurate in the length of the edges, as the mesh is.
  *
- * Lines are placed after Jobard and Lefer (1997): new ones start at the Separation from those
- * there are, beside the longest first, and lines end nearer to another one, or to themselves, than
- * LeastDistance of that. Further lines start wherever the surface is farther than the Separation
- * from all lines, where k1 - k2 is greatest first. Distances are straight ones, but to lines on the
- * same sheet of the surface only: near points are found over the mesh, so that a line on one side
- * of a thin wall does not hinder one on the other, which a point locator in space would do.
+ * Lines are placed after Jobard and Lefer (1997): a new line starts at the Separation from existing
+ * ones, beside the longest first, and ends where it is nearer than LeastDistance separations to
+ * another line or to itself. Further lines start wherever the surface is farther than the
+ * Separation from all lines, in order of decreasing k1 - k2. Distances are straight-line distances,
+ * but only to lines on the same sheet of the surface: near points are found over the mesh, so a
+ * line on one side of a thin wall does not stop one on the other, as a point locator in space
+ * would.
  *
  * Lines end at singular triangles, each of which holds an umbilic, at umbilic patches, borders,
- * non-manifold edges, unusable triangles, and near other lines. A line that comes back to its
- * seed, to a quarter of the mean edge or of the least distance, is closed: a gap as small as that
- * is error.
+ * non-manifold edges, unusable triangles, and near other lines. A line that returns to its seed
+ * within a quarter of the mean edge or of the least distance is closed: a gap that small is within
+ * the error.
  *
  * Guarantees: every point is inside a triangle or on an edge, up to round-off, and every segment
  * in one triangle (the last one of a loop up to the gap); output has no NaN; it is the same, to the
- * byte, for any number of threads (only one is used) and any numbering of points and cells, and the
- * signs of the directions do not matter.
+ * byte, for any number of threads (only one is used), any numbering of points and cells, and any
+ * signs of the directions.
  *
  * @warning
  * On spheres and planes, where k1 = k2 everywhere, curvature lines mean nothing. Where two
- * candidates for a line differ by round-off only, as on a surface with symmetries, moving or
+ * candidates for a line differ only by round-off, as on a surface with symmetries, moving or
  * scaling it may select the other one.
  *
  * @sa
@@ -74,9 +76,8 @@ public:
 
   ///@{
   /**
-   * Which lines to draw: those of the maximum curvature (blue), of the minimum (red), or both, the
-   * ones first and then the others, each spaced among themselves. Default maximum, as one picture
-   * mostly shows one foliation.
+   * Which lines to draw: those of the maximum curvature (blue), of the minimum (red), or both, blue
+   * first, each spaced among themselves. Default MAXIMUM: a picture usually shows one foliation.
    */
   vtkSetClampMacro(Direction, int, MAXIMUM, BOTH);
   vtkGetMacro(Direction, int);
@@ -88,8 +89,8 @@ public:
   ///@{
   /**
    * Distance between neighbouring lines, as a fraction of the model size, 0.0001 to 1. Default
-   * 0.05, some twenty lines from one side of a picture to the other. As it does not refer to the
-   * mesh, a finer mesh gets the same picture.
+   * 0.05, about twenty lines from one side of a picture to the other. It does not refer to the
+   * mesh, so a finer mesh gives the same picture.
    */
   vtkSetClampMacro(Separation, double, 0.0001, 1.0);
   vtkGetMacro(Separation, double);
@@ -97,8 +98,8 @@ public:
 
   ///@{
   /**
-   * How near to another line a line ends, as a fraction of the separation, 0.05 to 0.9. Default
-   * 0.5, after Jobard and Lefer: nearer to 1 lines are more even in distance, but shorter.
+   * Distance from another line at which a line ends, as a fraction of the separation, 0.05 to 0.9.
+   * Default 0.5, after Jobard and Lefer: values near 1 give more even, but shorter lines.
    */
   vtkSetClampMacro(LeastDistance, double, 0.05, 0.9);
   vtkGetMacro(LeastDistance, double);
@@ -107,7 +108,7 @@ public:
   ///@{
   /**
    * Length below which lines are left out, as a multiple of the separation, 0 or more. Default 2:
-   * shorter ones look like dots. What they would fill stays empty.
+   * shorter ones look like dots. Their places stay empty.
    */
   vtkSetClampMacro(MinimumLength, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(MinimumLength, double);
@@ -115,8 +116,8 @@ public:
 
   ///@{
   /**
-   * Length at which lines are cut, as a multiple of the model size, 0 or more. Default 0, which
-   * means that they are not: as lines keep away from themselves, none is endless.
+   * Length at which lines are cut, as a multiple of the model size, 0 or more. Default 0, no cut:
+   * lines keep away from themselves, so none is endless.
    */
   vtkSetClampMacro(MaximumLength, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(MaximumLength, double);
@@ -125,8 +126,8 @@ public:
   ///@{
   /**
    * Longest step inside a triangle, as a fraction of the separation, 0.001 to 1. Default 0.2.
-   * Steps end at edges anyway and are shortened where the direction turns, so that this only
-   * matters where triangles are larger than that.
+   * Steps end at edges anyway and are shortened where the direction turns, so this matters only
+   * where triangles are larger.
    */
   vtkSetClampMacro(StepSize, double, 0.001, 1.0);
   vtkGetMacro(StepSize, double);
@@ -135,8 +136,8 @@ public:
   ///@{
   /**
    * Whether lines end at the umbilic patches that vtkUmbilicDetection marks. Default on: inside,
-   * directions are uncertain on noisy meshes. Off, only singular triangles end them, so that on
-   * clean meshes lines come nearer to the umbilics.
+   * directions are uncertain on noisy meshes. Off, only singular triangles end them, so lines come
+   * nearer to umbilics on clean meshes.
    */
   vtkSetMacro(StopAtUmbilicPatches, bool);
   vtkGetMacro(StopAtUmbilicPatches, bool);

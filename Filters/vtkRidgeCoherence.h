@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkRidgeCoherence
- * @brief   check that ridges and umbilics make one coherent picture
+ * @brief   check that ridges and umbilics are consistent
  *
- * Ridges and umbilics of a smooth generic surface are bound to each other (RR-5294): their numbers
- * follow from the topology of the surface, ridges are loops or join umbilics, and change their type
- * in pairs. What was computed on a mesh is held against that, in one table.
+ * The ridges and umbilics of a smooth generic surface obey rules (RR-5294): the indices of umbilics
+ * follow from the topology of the surface, ridges are loops or join umbilics, and their type
+ * changes an even number of times. This filter checks the result on a mesh against these rules.
  *
  * Input port 0: the mesh with Monge arrays and the marks of vtkUmbilicDetection, its output 0.
  * Input port 1: all ridges, output 0 of vtkRidgeExtraction.
- * Input port 2, optional: the umbilics, output 1 of vtkUmbilicDetection. Without it they are taken
+ * Input port 2, optional: the umbilics, output 1 of vtkUmbilicDetection. Without it they are read
  * from the field data of the mesh.
  *
  * Output port 0: a table with a row per check and the columns
@@ -19,14 +19,14 @@
  * | Check              | name of the check, as below                                          |
  * | Section            | of the paper, where it is from                                       |
  * | Expected, Found    | in words                                                             |
- * | Applies            | 0: there is nothing to check, as the index of an open mesh           |
- * | Passed             | 1: nothing speaks against it, or it does not apply                   |
- * | NumberOfOffenders  | of what speaks against it                                            |
+ * | Applies            | 0: there is nothing to check, such as the index sum of an open mesh  |
+ * | Passed             | 1: nothing contradicts it, or it does not apply                      |
+ * | NumberOfOffenders  | number of what contradicts it                                        |
  * | OffenderKind       | what these are, as below                                             |
  * | Offenders          | ids of the first 20 of them; an edge is a pair of points: 17-42      |
- * | OffenderPosition   | (3) where the first of them is                                       |
+ * | OffenderPosition   | (3) position of the first of them                                    |
  *
- * | check                 | demands that                                          | offenders   |
+ * | check                 | requires that                                         | offenders   |
  * |-----------------------|-------------------------------------------------------|-------------|
  * | index sum             | on each closed part of the mesh the indices sum to    | cell        |
  * |                       | its Euler characteristic                              |             |
@@ -39,27 +39,26 @@
  * | turning points        | loops and ridges between umbilics have an even number | ridge       |
  * | intersections         | ridges of one colour do not cross                     | cell        |
  * | patches               | each is a disk and contains its umbilic               | umbilic     |
- * | ridges inside patches | there is none but from the umbilic to the border      | ridge       |
+ * | ridges inside patches | the only ones run from the umbilic to the contour     | ridge       |
  * | patch contours        | RidgeCount ridges of each colour cross one            | umbilic     |
  * | right angles          | maximum directions at the ends of an edge do not make | edge        |
  * |                       | one, outside patches                                  |             |
  * | double crossings      | outside patches a colour crosses an edge once at most | edge        |
- * | points on edges       | points are where their edges and parameters say       | ridge point |
+ * | points on edges       | points are where their edges and parameters place them| ridge point |
  * | crossings             | outside patches all those of the acute rule are in a  | edge        |
  * |                       | ridge, or in a loop around at most 64 points          |             |
  *
- * Outside patches also means outside the regions of CancelledUmbilics. Most checks are about how
- * well filters did. That about right angles is about the mesh: it is too coarse, or the surface too
- * little generic, to be sure about signs there. Patch contours tell whether ridges and third-order
- * forms agree about an umbilic: patches may be too small or too large, the mesh too coarse.
+ * Outside patches also means outside the regions of CancelledUmbilics. Most checks concern the
+ * filters. Right angles concern the mesh: it is too coarse, or the surface not generic enough, to
+ * be sure about signs there. Patch contours show whether ridges and third-order forms agree about
+ * an umbilic; if not, its patch may be too small or too large, or the mesh too coarse.
  *
  * @warning
- * The whole picture is checked: ridges of one colour, crest lines alone, ridges by the Gaussian
- * extremality or those that vtkRidgeSharpnessFilter has kept fail.
+ * The checks need all ridges: ridges of one colour, crest lines alone, ridges by the Gaussian
+ * extremality or the output of vtkRidgeSharpnessFilter fail them.
  *
- * Where a formula of the surface is known more can be demanded: that the acute rule orients every
- * edge as continuity does (definition 5) and that exact ridges cross an edge once at most (2.2d).
- * This is not checked.
+ * Two rules need a formula of the surface and are not checked: that the acute rule orients every
+ * edge as continuity does (definition 5), and that exact ridges cross an edge at most once (2.2d).
  *
  * @sa
  * vtkUmbilicDetection vtkRidgeExtraction
@@ -80,8 +79,8 @@ public:
 
   ///@{
   /**
-   * Cosine of the angle between two directions below which it counts as a right one, 0 to 1.
-   * Default 0.001: fits leave errors of that size in directions, so that signs may be wrong there.
+   * Cosine of the angle between two directions below which it counts as a right angle, 0 to 1.
+   * Default 0.001: directions have errors of that size, so signs may be wrong there.
    */
   vtkSetClampMacro(RightAngleCosine, double, 0.0, 1.0);
   vtkGetMacro(RightAngleCosine, double);

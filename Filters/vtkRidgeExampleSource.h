@@ -51,8 +51,8 @@ public:
 
   ///@{
   /**
-   * Parts into which the edges of the icosahedron under the mesh are divided, 1 to 2000. Default
-   * 63, which gives 39,692 points, as many as in Fig. 25; 32 gives 10,242.
+   * Number of parts into which each edge of the underlying icosahedron is divided, 1 to 2000.
+   * Default 63, which gives 39,692 points, as many as in Fig. 25; 32 gives 10,242.
    */
   vtkSetClampMacro(Frequency, int, 1, 2000);
   vtkGetMacro(Frequency, int);
@@ -60,8 +60,8 @@ public:
 
   ///@{
   /**
-   * Semi-axes of the ellipsoid along x, y and z, all positive. Default 1.4, 1, 0.6: of three
-   * different lengths, as umbilics are isolated only then.
+   * Semi-axes of the ellipsoid along x, y and z, all positive. Default 1.4, 1, 0.6: umbilics are
+   * isolated only if all three differ.
    */
   vtkSetVector3Macro(SemiAxes, double);
   vtkGetVector3Macro(SemiAxes, double);

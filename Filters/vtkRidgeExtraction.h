@@ -1,21 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkRidgeExtraction
- * @brief   extract the ridges (crest lines) of a mesh that carries Monge arrays
+ * @brief   extract the ridges (crest lines) of a mesh with Monge arrays
  *
- * A blue ridge is a curve along which the maximum principal curvature k1 has an extremum along its
- * own curvature line, a red ridge one of the minimum k2. Elliptic ridges are maxima of k1 or minima
- * of k2, hyperbolic ones the other extrema.
+ * On a blue ridge the maximum principal curvature k1 has an extremum along its own curvature line,
+ * on a red ridge the minimum curvature k2 has one. Elliptic ridges are maxima of k1 or minima of
+ * k2; hyperbolic ridges are the other extrema.
  *
- * Method: RR-5294, sections 5 and 6. Where b0 (blue) or b3 (red) changes its sign along an edge,
- * principal directions at its ends brought to an acute angle, a ridge crosses it. Crossings are
- * joined inside triangles, and at umbilics as UmbilicJoining says. See Documentation/Theory.md.
+ * Method: RR-5294, sections 5 and 6. A ridge crosses an edge if b0 (blue) or b3 (red) changes sign
+ * along it, with the principal directions at its ends turned to an acute angle. Crossings are
+ * joined inside triangles, and at umbilics according to UmbilicJoining. See
+ * Documentation/Theory.md.
  *
  * Input: a mesh with the point arrays MaximumCurvature, MinimumCurvature, MaximumDirection,
  * MinimumDirection and ThirdOrder of vtkJetFitting, and, needed by the fourth-order type rule only,
  * FourthOrder or else P1 and P2; with FourthOrder types are more reliable near umbilics. FitStatus,
- * if there, tells invalid points, whose triangles are left out. The umbilics that
- * vtkUmbilicDetection marks on the mesh are used if they are there.
+ * if present, marks invalid points, whose triangles are left out. The umbilics that
+ * vtkUmbilicDetection marks on the mesh are used if present.
  *
  * Output port 0: a polyline per run of one type of a ridge. Consecutive polylines of one ridge
  * share their end point and RidgeId. Arrays, of one component, which Documentation/Arrays.md
@@ -30,7 +31,7 @@
  *
  * Guarantees, on any mesh and with any values: ridges of one colour end only at umbilics and other
  * singular triangles, on borders, at non-manifold edges and at triangles left out. Order, starts
- * and senses of the ridges depend on positions only, not on the numbering.
+ * and directions of the ridges depend on positions only, not on the numbering.
  *
  * @sa
  * vtkJetFitting vtkUmbilicDetection vtkRidgeSharpnessFilter
@@ -83,10 +84,11 @@ public:
 
   ///@{
   /**
-   * Whether to extract ridges of the maximum curvature (blue and green), default on; of the minimum
-   * (red and yellow), default on; crest lines only, the visually salient part of the elliptic
-   * ridges, default off, as the whole picture has all ridges; and whether to put the purple points,
-   * where a blue ridge crosses a red one, on output port 1, default off, as few need them.
+   * ExtractMaximum, ExtractMinimum: whether to extract ridges of the maximum curvature (blue and
+   * green) and of the minimum curvature (red and yellow). Default on. CrestOnly: whether to extract
+   * crest lines only, the visually salient part of the elliptic ridges. Default off: the complete
+   * picture has all ridges. FindPurplePoints: whether to output the points where a blue ridge
+   * crosses a red one on port 1. Default off: few users need them.
    */
   vtkSetMacro(ExtractMaximum, bool);
   vtkGetMacro(ExtractMaximum, bool);
@@ -104,9 +106,10 @@ public:
 
   ///@{
   /**
-   * How a ridge is found to be elliptic or hyperbolic: by the sign of P (fourth order, equation 3)
-   * or by whether the curvature rises towards it (third order, section 5.3). Default fourth order:
-   * it is consistent along a ridge; the other errs where an edge is almost parallel to the ridge.
+   * How a ridge is classified as elliptic or hyperbolic: by the sign of P (FOURTH_ORDER, equation
+   * 3) or by whether the curvature rises towards it (THIRD_ORDER, section 5.3). Default
+   * FOURTH_ORDER: it is consistent along a ridge; the other fails where an edge is almost parallel
+   * to the ridge.
    */
   vtkSetClampMacro(TypeRule, int, FOURTH_ORDER, THIRD_ORDER);
   vtkGetMacro(TypeRule, int);
@@ -116,12 +119,13 @@ public:
 
   ///@{
   /**
-   * ExtremalityRule tells what is a crossing: a change of sign of b0 or b3, colour by colour, or,
-   * for comparison, of the Gaussian extremality b0 b3 (section 5.2.3), whose curves change colour
-   * and disregard umbilics, ExtractMaximum and ExtractMinimum. Default the former: it keeps ridges
-   * connected. CrossingRule tells where on its edge a crossing is: where b0 or b3 of the Monge form
-   * interpolated along it vanishes, or by equation (4), from the values at its ends alone. Default
-   * the form: lines by equation (4) zigzag by a third of an edge near umbilics.
+   * ExtremalityRule defines a crossing: a change of sign of b0 or b3, each colour by itself
+   * (PRINCIPAL), or, for comparison, of the Gaussian extremality b0 b3 (GAUSSIAN, section 5.2.3),
+   * whose curves change colour and ignore umbilics, ExtractMaximum and ExtractMinimum. Default
+   * PRINCIPAL: it keeps ridges connected. CrossingRule places a crossing on its edge: at the zero
+   * of b0 or b3 of the Monge form interpolated along the edge (FORM), or by equation (4) from the
+   * values at its ends (LINEAR). Default FORM: lines by equation (4) zigzag by a third of an edge
+   * near umbilics.
    */
   vtkSetClampMacro(ExtremalityRule, int, PRINCIPAL, GAUSSIAN);
   vtkGetMacro(ExtremalityRule, int);
@@ -136,8 +140,8 @@ public:
   ///@{
   /**
    * How ridges are joined to umbilics: in the patches of vtkUmbilicDetection (section 6.3), or in
-   * all singular triangles, whatever patches there are (section 6.2). Default patches: single
-   * triangles are unreliable next to umbilics.
+   * all singular triangles, regardless of patches (section 6.2). Default PATCHES: single triangles
+   * are unreliable next to umbilics.
    */
   vtkSetClampMacro(UmbilicJoining, int, PATCHES, TRIANGLES);
   vtkGetMacro(UmbilicJoining, int);
@@ -147,10 +151,11 @@ public:
 
   ///@{
   /**
-   * What noise may have made. Loops around at most 64 points, at all of which b0 (b3) is within
-   * LoopSignificance standard errors of 0, are left out: 0 to 100, default 3, as more are hardly
-   * ever chance; 0 keeps all. Runs of one type that are shorter than TypeHysteresis mean edges,
-   * between two of another, take on that type: 0 to 1000, default 0, none, as they may be true.
+   * What noise may have caused. LoopSignificance: loops around at most 64 points, at all of which
+   * b0 (b3) is within this many standard errors of 0, are left out; 0 to 100, default 3, which is
+   * rarely exceeded by chance; 0 keeps all. TypeHysteresis: runs of one type shorter than this many
+   * mean edges, between two runs of another, are reclassified as that type; 0 to 1000, default 0,
+   * none, because short runs may be true.
    */
   vtkSetClampMacro(LoopSignificance, double, 0.0, 100.0);
   vtkGetMacro(LoopSignificance, double);
@@ -160,10 +165,10 @@ public:
 
   ///@{
   /**
-   * ModelSize is the length by which sharpness is made free of units, 0 or more; default 0: the
-   * radius of the smallest enclosing sphere of the mesh. Within UmbilicCutOff model sizes of an
-   * umbilic, 0 to 1, hyperbolic ridges do not count towards their sharpness, which is infinite
-   * there; default 0.01, as with 0 it depends on the mesh.
+   * ModelSize is the length that makes sharpness dimensionless, 0 or more; default 0: the radius of
+   * the smallest enclosing sphere of the mesh. Within UmbilicCutOff model sizes of an umbilic, 0 to
+   * 1, hyperbolic ridges do not contribute to their sharpness, which would be infinite; default
+   * 0.01: with 0 the sharpness depends on the mesh.
    */
   vtkSetClampMacro(ModelSize, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(ModelSize, double);

@@ -3,12 +3,12 @@
  * @class   vtkRidgeSharpnessFilter
  * @brief   keep the salient ridges
  *
- * Passes the polylines of vtkRidgeExtraction that are sharp, strong and long enough and of a type
- * that is wanted, with all their arrays. Sharpness and strength have no unit, so that one threshold
- * serves a model at any scale (RR-5294, section 7.2).
+ * Passes the polylines of vtkRidgeExtraction that are sharp, strong and long enough and of the
+ * chosen types, with all their arrays. Sharpness and strength have no unit, so one threshold suits
+ * a model at any scale (RR-5294, section 7.2).
  *
- * Input: polylines with the cell arrays RidgeType and Crest, and Sharpness, Strength and Length as
- * far as a minimum is set on them.
+ * Input: polylines with the cell arrays RidgeType and Crest, and those of Sharpness, Strength
+ * and Length for which a minimum is set.
  *
  * Output port 0: the polylines kept, and only the points they use.
  *
@@ -31,9 +31,9 @@ public:
 
   ///@{
   /**
-   * Least sharpness of a polyline, without unit, 0 or more. Default 0, which keeps all: what is
-   * salient depends on the model. On smooth shapes ridges have 1 to 1000; on scans noise has as
-   * much, and some 300 with a fit to 200 points, say, leave the ridges that the eye sees.
+   * Minimum sharpness of a polyline, no unit, 0 or more. Default 0, which keeps all: what is
+   * salient depends on the model. On smooth shapes ridges have 1 to 1000. On scans noise has as
+   * much; about 300, with a fit to 200 points, keeps the ridges that the eye sees.
    */
   vtkSetClampMacro(MinimumSharpness, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(MinimumSharpness, double);
@@ -41,8 +41,8 @@ public:
 
   ///@{
   /**
-   * Least strength of a polyline, the integral of its curvature, without unit, 0 or more.
-   * Default 0: sharpness judges ridges better than strength (RR-5294, Fig. 26).
+   * Minimum strength of a polyline (the integral of its curvature, no unit), 0 or more. Default 0:
+   * sharpness is the better measure (RR-5294, Fig. 26).
    */
   vtkSetClampMacro(MinimumStrength, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(MinimumStrength, double);
@@ -50,8 +50,8 @@ public:
 
   ///@{
   /**
-   * Least length of a polyline, in the unit of the points, 0 or more. Default 0: no length is
-   * right for all models.
+   * Minimum length of a polyline, in the unit of the points, 0 or more. Default 0: no length suits
+   * every model.
    */
   vtkSetClampMacro(MinimumLength, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(MinimumLength, double);
@@ -60,7 +60,7 @@ public:
   ///@{
   /**
    * Which types are kept: 1 maximum elliptic (blue), 2 maximum hyperbolic (green), 3 minimum
-   * elliptic (red), 4 minimum hyperbolic (yellow), and 0 undecided ones. Default all.
+   * elliptic (red), 4 minimum hyperbolic (yellow), 0 undecided. Default all.
    */
   vtkSetMacro(KeepMaximumElliptic, bool);
   vtkGetMacro(KeepMaximumElliptic, bool);
@@ -81,7 +81,7 @@ public:
 
   ///@{
   /**
-   * Whether only crest lines are kept. Default off.
+   * Whether to keep crest lines only. Default off: the types above decide.
    */
   vtkSetMacro(CrestOnly, bool);
   vtkGetMacro(CrestOnly, bool);

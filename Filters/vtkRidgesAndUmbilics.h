@@ -3,19 +3,18 @@
  * @class   vtkRidgesAndUmbilics
  * @brief   from a mesh to its ridges and umbilics, in one filter
  *
- * vtkJetFitting, vtkUmbilicDetection, vtkRidgeExtraction and vtkRidgeSharpnessFilter in a row, with
- * the properties of theirs that matter to ridges; each is documented where it comes from. Fits are
- * of degree 4, and Monge forms are written out to their fourth order, as ridges and types need it.
+ * Runs vtkJetFitting, vtkUmbilicDetection, vtkRidgeExtraction and vtkRidgeSharpnessFilter in a row
+ * and has those of their properties that matter for ridges; each is documented in its own class.
+ * Fits are of degree 4, and Monge forms of order 4, as ridges and their types need them.
  *
- * Input: a triangle mesh; polygons and strips are triangulated, verts and lines passed over.
+ * Input: a triangle mesh; polygons and strips are triangulated, verts and lines are ignored.
  *
- * Output port 0: the ridges kept, as vtkRidgeSharpnessFilter puts them out; RidgeType are the
- * active scalars.
- * Output port 1: a vertex per umbilic, and
- * output port 2: the mesh with its Monge arrays and umbilics, both as of vtkUmbilicDetection.
+ * Output port 0: the ridges kept, the output of vtkRidgeSharpnessFilter; RidgeType is the active
+ * scalar array. Output port 1: a vertex per umbilic. Output port 2: the mesh with its Monge arrays
+ * and umbilic marks. Both are outputs of vtkUmbilicDetection.
  *
  * Guarantees: the outputs are those of the four filters in a row, byte for byte. Only stages whose
- * properties have changed, and those behind them, run again: another MinimumSharpness is cheap.
+ * properties have changed, and those after them, run again: another MinimumSharpness is cheap.
  * Errors and warnings of the stages come from this filter; progress is that of the whole.
  *
  * @sa
@@ -64,8 +63,8 @@ public:
 
   ///@{
   /**
-   * What bounds the neighbourhoods that are fitted to, one of vtkJetFitting::NeighborhoodType, and
-   * how much their points count, one of vtkJetFitting::WeightingType. See vtkJetFitting.
+   * How neighbourhoods are chosen, one of vtkJetFitting::NeighborhoodType, and how their points are
+   * weighted, one of vtkJetFitting::WeightingType. See vtkJetFitting.
    */
   vtkRidgesForwardMacro(Jets, Neighborhood, int);
   void SetNeighborhoodToPointCount() { this->SetNeighborhood(vtkJetFitting::BY_POINT_COUNT); }
@@ -85,8 +84,8 @@ public:
 
   ///@{
   /**
-   * Of the umbilics: how they are found, one of vtkUmbilicDetection::Methods, which of them noise
-   * may have made, and how large their patches are. See vtkUmbilicDetection.
+   * Umbilics: how they are found, one of vtkUmbilicDetection::Methods, which of them noise may have
+   * caused, and how large their patches are. See vtkUmbilicDetection.
    */
   vtkRidgesForwardMacro(Umbilics, Method, int);
   void SetMethodToIndices() { this->SetMethod(vtkUmbilicDetection::INDICES); }
@@ -97,9 +96,9 @@ public:
 
   ///@{
   /**
-   * Of the ridges: how types are told, crossings placed and umbilics joined, one of
+   * Ridges: how types are decided, crossings placed and umbilics joined, one of
    * vtkRidgeExtraction::TypeRules, vtkRidgeExtraction::CrossingRules and
-   * vtkRidgeExtraction::UmbilicJoinings, which loops and types noise may have made, and how
+   * vtkRidgeExtraction::UmbilicJoinings, which loops and types noise may have caused, and how
    * sharpness is measured. See vtkRidgeExtraction.
    */
   vtkRidgesForwardMacro(Ridges, TypeRule, int);

@@ -1,26 +1,26 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkUmbilicDetection
- * @brief   find the umbilics of a mesh that carries Monge arrays
+ * @brief   find the umbilics of a mesh with Monge arrays
  *
- * An umbilic is a point where the principal curvatures are equal and the principal directions turn
- * by half a turn around it: its index is +1/2 or -1/2. On a closed surface the indices sum to the
- * Euler characteristic.
+ * An umbilic is a point where the principal curvatures are equal and around which the principal
+ * directions make half a turn: its index is +1/2 or -1/2. On a closed surface the indices add up to
+ * the Euler characteristic.
  *
- * Method INDICES, the default: the index of every triangle is computed, so that their sum is the
- * Euler characteristic on any closed mesh, with any directions. Umbilics of opposite index that
- * noise has made are cancelled: those with a way between them on which k1 - k2 is within
- * Significance standard errors of zero. Around each one left a patch is grown.
+ * Method INDICES, the default: computes the index of every triangle. Their sum is the Euler
+ * characteristic on any closed mesh, with any directions. Pairs of opposite index that noise may
+ * have caused are cancelled: those connected by a path on which k1 - k2 is within Significance
+ * standard errors of zero. A patch is grown around each remaining umbilic.
  *
  * Method MINIMA, RR-5294, section 8: a patch, which stays a topological disk, is grown around each
- * triangle; a triangle that minimises k1 - k2 over its patch, and on whose contour the directions
- * turn by half a turn, is an umbilic. The sum of the indices is what it comes to.
+ * triangle. A triangle is an umbilic if it minimises k1 - k2 over its patch and the directions make
+ * half a turn around the patch's contour. The sum of the indices is not constrained.
  *
  * Input: a mesh with the point arrays MaximumCurvature, MinimumCurvature, MaximumDirection,
- * MinimumDirection and ThirdOrder of vtkJetFitting; FitStatus, if there, tells invalid points. The
- * standard error of k1 - k2 is taken from MaximumCurvatureError and MinimumCurvatureError if they
- * are there, else estimated from FitResidual and FitScale; without these nothing is cancelled but
- * opposite umbilics in neighbouring triangles.
+ * MinimumDirection and ThirdOrder of vtkJetFitting; FitStatus, if present, marks invalid points.
+ * The standard error of k1 - k2 is taken from MaximumCurvatureError and MinimumCurvatureError if
+ * present, else estimated from FitResidual and FitScale; without these only opposite umbilics in
+ * neighbouring triangles are cancelled.
  *
  * Output port 0: the mesh with the umbilics marked on it, for vtkRidgeExtraction:
  *
@@ -31,12 +31,12 @@
  * |                          |       | umbilics have cancelled each other; -1 outside         |
  * | UmbilicZone              | cells | number of the connected region in which k1 - k2 is     |
  * |                          |       | nowhere significant, as on spheres; -1 outside         |
- * | UmbilicPosition (3)      | field | a tuple per umbilic: where it is                       |
+ * | UmbilicPosition (3)      | field | a tuple per umbilic: its position                      |
  * | UmbilicIndex             | field | +0.5 or -0.5 per umbilic                               |
  * | UmbilicRidgeCount        | field | 1 or 3 per umbilic                                     |
  * | UmbilicTriangle          | field | the cell that contains it, per umbilic                 |
  * | UmbilicIndexSum          | field | sum of all indices                                     |
- * | EulerCharacteristic      | field | what that sum should be on a closed mesh               |
+ * | EulerCharacteristic      | field | the value of that sum on a closed mesh                 |
  * | NumberOfCancelledRegions | field | of CancelledUmbilics                                   |
  * | NumberOfUmbilicZones     | field | of UmbilicZone                                         |
  *
@@ -48,7 +48,7 @@
  * | Index           | turns of the principal directions around it, +0.5 or -0.5                |
  * | RidgeCount      | ridges of each colour that meet there by the third-order form, 1 or 3    |
  * | ThirdOrderIndex | sign of S (section 8.2): that of the index, by third order               |
- * | Pattern         | how curvature lines run around it: 1 lemon, 2 monstar (both of index     |
+ * | Pattern         | pattern of curvature lines: 1 lemon, 2 monstar (both of index            |
  * |                 | +0.5), 3 star (-0.5)                                                     |
  * | TouchesBorder   | 1 where its patch is on the border of the mesh                           |
  * | Triangle        | the cell of the mesh that contains it                                    |
@@ -61,10 +61,10 @@
  * every closed connected part of the mesh.
  *
  * @warning
- * On spheres and planes, where k1 = k2 everywhere, umbilics mean nothing: only as many are left as
- * the Euler characteristic demands, inside an UmbilicZone. Where directions turn by several half
- * turns around one triangle, as on a cube of twelve, several umbilics lie in it, and the first has
- * the patch.
+ * On spheres and planes, where k1 = k2 everywhere, umbilics mean nothing: as many remain as the
+ * Euler characteristic demands, inside an UmbilicZone. Where directions make several half turns
+ * around one triangle, as on a cube of twelve triangles, it contains several umbilics, and the
+ * first has the patch.
  *
  * @sa
  * vtkJetFitting vtkRidgeExtraction
@@ -94,8 +94,8 @@ public:
 
   ///@{
   /**
-   * How umbilics are found: from the index of every triangle, or by the paper's minima of k1 - k2.
-   * Default the indices, of which none can be lost.
+   * How umbilics are found: from the index of every triangle, or at minima of k1 - k2 as in the
+   * paper. Default INDICES, which cannot miss any.
    */
   vtkSetClampMacro(Method, int, INDICES, MINIMA);
   vtkGetMacro(Method, int);
@@ -105,9 +105,9 @@ public:
 
   ///@{
   /**
-   * By how many standard errors k1 - k2 has to differ from zero for directions to be believed;
-   * 0 to 100. Default 3. With 0 no umbilics cancel each other but those in neighbouring triangles;
-   * larger values leave fewer. Not used by MINIMA.
+   * Number of standard errors by which k1 - k2 must differ from zero for directions to be reliable,
+   * 0 to 100. Default 3, which is rarely exceeded by chance. With 0 only umbilics in neighbouring
+   * triangles cancel; larger values leave fewer umbilics. Not used by MINIMA.
    */
   vtkSetClampMacro(Significance, double, 0.0, 100.0);
   vtkGetMacro(Significance, double);
@@ -116,12 +116,12 @@ public:
   ///@{
   /**
    * Size of the patches, as a multiple of the distance from a triangle's centroid to the farthest
-   * one among the triangles that touch it; free of units, 1 to 100. Default 2: the smallest of
-   * the two sizes that the paper found good (2 and 3). With MINIMA a larger patch finds fewer
+   * one among the triangles that touch it; no unit, 1 to 100. Default 2: the smaller of the
+   * two sizes that the paper recommends (2 and 3). With MINIMA a larger patch finds fewer
    * umbilics and computes their index farther away from them, where directions are more reliable;
-   * the umbilics of INDICES do not depend on it. A patch ends half way to the next umbilic, and
-   * where as many ridges as meet at its umbilic cross its contour, for which it may be smaller or,
-   * if it has to be, twice as large.
+   * the umbilics of INDICES do not depend on it. A patch ends half way to the next umbilic. It may
+   * be smaller or up to twice as large, so that as many ridges cross its contour as meet at its
+   * umbilic.
    */
   vtkSetClampMacro(PatchSize, double, 1.0, 100.0);
   vtkGetMacro(PatchSize, double);
