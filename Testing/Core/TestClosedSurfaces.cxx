@@ -195,7 +195,7 @@ TEST(ExactUmbilics, OfTheEllipsoidAreThoseOfTheClosedForm)
 
 //------------------------------------------------------------------------------
 // k1 - k2 has no zero on a torus of revolution, and its directions never turn.
-TEST(ExactUmbilics, AreNoneOnTheTorus)
+TEST(ExactUmbilics, DoNotExistOnTheTorus)
 {
   EXPECT_TRUE(FindUmbilics(MakeTorus(1.0, 0.4), TorusMesh(1.0, 0.4, 60, 30)).empty());
 }

@@ -51,7 +51,7 @@ const double NaN = std::numeric_limits<double>::quiet_NaN();
 
 } // namespace
 
-TYPED_TEST(BadInput, NoInputIsAnErrorAndNoCrash)
+TYPED_TEST(BadInput, ReportsMissingInput)
 {
   vtkNew<TypeParam> filter;
   const MessageRecorder recorder(filter);
@@ -62,7 +62,7 @@ TYPED_TEST(BadInput, NoInputIsAnErrorAndNoCrash)
   ExpectEmptyOutputs(filter.GetPointer());
 }
 
-TYPED_TEST(BadInput, EmptyInputGivesEmptyOutputWithoutAWord)
+TYPED_TEST(BadInput, EmptyInputGivesEmptyOutputSilently)
 {
   vtkNew<TypeParam> filter;
   const MessageRecorder recorder(filter);
@@ -73,7 +73,7 @@ TYPED_TEST(BadInput, EmptyInputGivesEmptyOutputWithoutAWord)
   ExpectEmptyOutputs(filter.GetPointer());
 }
 
-TYPED_TEST(BadInput, EmptyInputWithPointsAndCellsAllocatedIsTheSame)
+TYPED_TEST(BadInput, EmptyInputWithAllocatedPointsAndCellsGivesEmptyOutput)
 {
   vtkNew<TypeParam> filter;
   const MessageRecorder recorder(filter);
@@ -83,7 +83,7 @@ TYPED_TEST(BadInput, EmptyInputWithPointsAndCellsAllocatedIsTheSame)
   ExpectEmptyOutputs(filter.GetPointer());
 }
 
-TEST(BadMongeArrays, AllMissingOnesAreNamedInOneError)
+TEST(BadMongeArrays, NamesAllMissingArraysInOneError)
 {
   const auto good = RunFilters(EllipsoidData(8)).fitted;
   const auto bare = EllipsoidData(8);
@@ -109,7 +109,7 @@ TEST(BadMongeArrays, AllMissingOnesAreNamedInOneError)
   expectComplaint(ridges);
 }
 
-TEST(BadMongeArrays, EachMissingOneIsNamedAndNoOther)
+TEST(BadMongeArrays, NamesEachMissingArrayAndNoOther)
 {
   const auto good = RunFilters(EllipsoidData(8)).fitted;
   const std::vector<const char*> needed = { names::MaximumCurvature, names::MinimumCurvature,
@@ -133,7 +133,7 @@ TEST(BadMongeArrays, EachMissingOneIsNamedAndNoOther)
   }
 }
 
-TEST(BadMongeArrays, WrongNumberOfComponentsIsToldWithBothNumbers)
+TEST(BadMongeArrays, ReportsWrongNumberOfComponents)
 {
   const auto mesh = RunFilters(EllipsoidData(8)).fitted;
   AddPointArray(mesh, names::ThirdOrder, 3, [](vtkIdType, double* b) { std::fill(b, b + 3, 1.0); });
@@ -151,7 +151,7 @@ TEST(BadMongeArrays, WrongNumberOfComponentsIsToldWithBothNumbers)
   ExpectEmptyOutputs(umbilics.GetPointer());
 }
 
-TEST(BadMongeArrays, FloatArraysAreTaken)
+TEST(BadMongeArrays, AcceptsFloatArrays)
 {
   const auto fitted = RunFilters(BlendData(16)).fitted;
   vtkNew<vtkPolyData> single;
@@ -171,7 +171,7 @@ TEST(BadMongeArrays, FloatArraysAreTaken)
   EXPECT_GT(ridges->GetOutput()->GetNumberOfLines(), 0);
 }
 
-TEST(BadMongeArrays, NaNAtAPointLeavesOutItsTrianglesOnly)
+TEST(BadMongeArrays, NaNAtAPointLeavesOutOnlyItsTriangles)
 {
   const Outputs expected = RunFilters(BlendData(24));
   for (const char* name : { names::MaximumCurvature, names::ThirdOrder, names::FourthOrder })
@@ -197,7 +197,7 @@ TEST(BadMongeArrays, NaNAtAPointLeavesOutItsTrianglesOnly)
   }
 }
 
-TEST(BadProperties, RadiusHasToBePositiveWhereItIsUsed)
+TEST(BadProperties, RejectsRadiusThatIsNotPositive)
 {
   vtkNew<vtkJetFitting> jets;
   jets->SetInputData(EllipsoidData(6));
@@ -220,7 +220,7 @@ TEST(BadProperties, RadiusHasToBePositiveWhereItIsUsed)
   EXPECT_FALSE(IsEmpty(jets->GetOutput()));
 }
 
-TEST(BadProperties, TooSmallARadiusIsToldAndGivesNoValues)
+TEST(BadProperties, ReportsRadiusThatIsTooSmall)
 {
   vtkNew<vtkJetFitting> jets;
   const MessageRecorder recorder(jets);
@@ -238,7 +238,7 @@ TEST(BadProperties, TooSmallARadiusIsToldAndGivesNoValues)
   EXPECT_EQ(Value(jets->GetOutput()->GetPointData(), names::MaximumCurvature, 0), 0.0);
 }
 
-TEST(BadProperties, MoreRingsOrPointsThanTheMeshHasAreNoCrash)
+TEST(BadProperties, AcceptsMoreRingsOrPointsThanTheMeshHas)
 {
   vtkNew<vtkJetFitting> jets;
   jets->SetInputData(EllipsoidData(4));
@@ -252,7 +252,7 @@ TEST(BadProperties, MoreRingsOrPointsThanTheMeshHasAreNoCrash)
   ExpectAllFinite(jets->GetOutput());
 }
 
-TEST(BadProperties, NaNIsTakenForNoPropertyOfTheExtraction)
+TEST(BadProperties, RidgeExtractionRejectsNaN)
 {
   const Outputs outputs = RunFilters(EllipsoidData(16));
   vtkNew<vtkRidgeExtraction> ridges;

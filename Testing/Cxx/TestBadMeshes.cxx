@@ -78,7 +78,7 @@ constexpr int Boundary = vtkJetFitting::FIT_BOUNDARY;
 
 } // namespace
 
-TEST(BadMeshes, IsolatedPointIsFlaggedAndTheRestIsAsWithoutIt)
+TEST(BadMeshes, IsolatedPointIsFlaggedAndChangesNothingElse)
 {
   Mesh mesh = ToMesh(EllipsoidData(12));
   const Outputs expected = RunFilters(ToPolyData(mesh));
@@ -94,7 +94,7 @@ TEST(BadMeshes, IsolatedPointIsFlaggedAndTheRestIsAsWithoutIt)
   EXPECT_EQ(FirstDifference(outputs.umbilics, expected.umbilics), "");
 }
 
-TEST(BadMeshes, CoordinatesThatAreNotFiniteAreLeftOut)
+TEST(BadMeshes, LeavesOutNonFiniteCoordinates)
 {
   for (const double bad : { std::numeric_limits<double>::quiet_NaN(),
          std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity() })
@@ -111,7 +111,7 @@ TEST(BadMeshes, CoordinatesThatAreNotFiniteAreLeftOut)
   }
 }
 
-TEST(BadMeshes, HugeCoordinatesOverflowIntoNoNaN)
+TEST(BadMeshes, HugeCoordinatesGiveNoNaN)
 {
   for (const double scale : { 1e150, 1e300, 1e-150, 1e-300 })
   {
@@ -136,7 +136,7 @@ TEST(BadMeshes, TrianglesWithARepeatedCornerAreLeftOut)
 }
 
 // Slivers of no area: three different points on a line.
-TEST(BadMeshes, TrianglesWithoutAreaAreNoCrash)
+TEST(BadMeshes, AcceptsTrianglesWithoutArea)
 {
   Mesh mesh;
   for (int j = 0; j <= 20; ++j)
@@ -161,7 +161,7 @@ TEST(BadMeshes, TrianglesWithoutAreaAreNoCrash)
   ExpectJoinedPolylines(outputs.ridges);
 }
 
-TEST(BadMeshes, TriangleSoupIsToldWithTheWayOut)
+TEST(BadMeshes, ReportsTriangleSoupWithItsRemedy)
 {
   const Mesh mesh = ToMesh(EllipsoidData(6));
   Mesh soup;
@@ -187,14 +187,14 @@ TEST(BadMeshes, TriangleSoupIsToldWithTheWayOut)
   ExpectFiniteArrays(outputs);
 }
 
-TEST(BadMeshes, DuplicatePointOfAFanIsNoNaN)
+TEST(BadMeshes, DuplicatePointOfAFanGivesNoNaN)
 {
   Mesh mesh = ToMesh(EllipsoidData(12));
   mesh.SetPoint(50, mesh.Point(static_cast<std::size_t>(mesh.triangles[0])));
   ExpectFiniteArrays(RunFilters(ToPolyData(mesh)));
 }
 
-TEST(BadMeshes, NonManifoldEdgeIsABorderAndToldOnce)
+TEST(BadMeshes, TreatsNonManifoldEdgesAsBordersAndReportsThemOnce)
 {
   Mesh mesh = ToMesh(EllipsoidData(12));
   const std::int32_t p = mesh.triangles[0];
@@ -266,7 +266,7 @@ TEST(BadMeshes, OppositeOrientationsAreCountedInOneWarning)
   ExpectCompleteRidgeGraph(outputs.marked, outputs.ridges);
 }
 
-TEST(BadMeshes, RandomOrientationsAreNoNaN)
+TEST(BadMeshes, RandomOrientationsGiveNoNaN)
 {
   Mesh mesh = ToMesh(BlendData(12));
   for (std::size_t t = 0; t < mesh.TriangleCount(); t += 2)
@@ -286,7 +286,7 @@ TEST(BadMeshes, PlaneAndSphereHaveNoNaN)
   ExpectFiniteArrays(RunFilters(ToPolyData(Icosphere(12))));
 }
 
-TEST(BadMeshes, PointsWithoutTrianglesArePassed)
+TEST(BadMeshes, PassesPointsWithoutTriangles)
 {
   const auto mesh = MakePolyData({ { 0, 0, 0 }, { 1, 0, 0 } }, {});
   vtkNew<vtkCellArray> verts;

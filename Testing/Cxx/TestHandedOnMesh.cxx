@@ -80,7 +80,7 @@ TEST(HandedOnMesh, GivesTheSameAsAMeshBuiltAnew)
 }
 
 //------------------------------------------------------------------------------
-TEST(HandedOnMesh, IsLeftWhereTheTrianglesWereChanged)
+TEST(HandedOnMesh, IsNotUsedWhereTrianglesHaveChanged)
 {
   const auto takeAway = [](vtkPolyData* data)
   {
@@ -118,7 +118,7 @@ TEST(HandedOnMesh, IsLeftWhereTheTrianglesWereChanged)
 }
 
 //------------------------------------------------------------------------------
-TEST(HandedOnMesh, IsLeftWhereThePointsWereChanged)
+TEST(HandedOnMesh, IsNotUsedWherePointsHaveChanged)
 {
   const auto otherPoints = [](vtkPolyData* data)
   {
@@ -147,7 +147,7 @@ TEST(HandedOnMesh, IsLeftWhereThePointsWereChanged)
 }
 
 //------------------------------------------------------------------------------
-TEST(HandedOnMesh, IsLeftWherePointsCannotBeUsed)
+TEST(HandedOnMesh, IsNotUsedWherePointsCannotBeUsed)
 {
   const auto spoil = [](vtkPolyData* data)
   {

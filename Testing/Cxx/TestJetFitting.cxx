@@ -90,7 +90,7 @@ vtkSmartPointer<vtkPolyData> Fit(vtkPolyData* mesh)
 
 } // namespace
 
-TEST(JetFitting, PutsOutTheArraysOfTheContract)
+TEST(JetFitting, OutputsTheDocumentedArrays)
 {
   const auto mesh = EllipsoidData(4);
   const vtkIdType n = mesh->GetNumberOfPoints();
@@ -317,7 +317,7 @@ TEST(JetFitting, EveryKindOfNeighborhoodFits)
   EXPECT_LT(points.curvature, 0.002);
 }
 
-TEST(JetFitting, MorePointsAreTakenThanTheNumberOfCoefficients)
+TEST(JetFitting, UsesMorePointsThanCoefficients)
 {
   vtkNew<vtkJetFitting> jets;
   jets->SetMinimumNumberOfPoints(3); // raised to the 15 coefficients of degree 4

@@ -110,7 +110,7 @@ TEST(JetFittingInput, IsNotModified)
   EXPECT_EQ(Value(outputs.marked->GetCellData(), "Own", 0), 7.0);
 }
 
-TEST(JetFittingInput, MarksOfAnEarlierUmbilicDetectionAreNotHandedOn)
+TEST(JetFittingInput, RemovesMarksOfAnEarlierUmbilicDetection)
 {
   const Outputs first = RunFilters(EllipsoidData(6));
   ASSERT_GT(first.marked->GetFieldData()->GetNumberOfArrays(), 0);
@@ -177,7 +177,7 @@ TEST(JetFittingInput, FlippedOrientationSwapsAndNegatesTheCurvatures)
   }
 }
 
-TEST(JetFittingInput, VertsAndLinesAreKeptAndPassedOver)
+TEST(JetFittingInput, KeepsAndIgnoresVertsAndLines)
 {
   const auto plain = EllipsoidData(6);
   const auto mixed = vtkSmartPointer<vtkPolyData>::New();

@@ -76,7 +76,7 @@ TEST(JetFittingScale, AutomaticFitsThatManyRings)
   EXPECT_EQ(FirstDifference(automatic, expected), "");
 }
 
-TEST(JetFittingScale, AutomaticNeverFallsShortOfPoints)
+TEST(JetFittingScale, AutomaticAlwaysHasEnoughPoints)
 {
   // Where an octahedron is refined, six points have four neighbours, and two rings 13 points.
   Mesh mesh;
@@ -131,7 +131,7 @@ TEST(JetFittingScale, AutomaticDoesNotDependOnTheNumbering)
   }
 }
 
-TEST(JetFittingScale, AutomaticTakesEmptyAndTinyInput)
+TEST(JetFittingScale, AutomaticAcceptsEmptyAndTinyInput)
 {
   vtkNew<vtkJetFitting> jets;
   MessageRecorder recorder(jets);
@@ -212,7 +212,7 @@ TEST(JetFittingScale, ErrorsLeaveTheOtherArraysAsTheyAre)
 }
 
 // Half of a normal distribution is within 0.674 of its standard deviation.
-TEST(JetFittingScale, ErrorsTellHowFarCurvaturesAreOff)
+TEST(JetFittingScale, StandardErrorsMatchTheErrorsOfCurvatures)
 {
   const Mesh clean = EllipsoidMesh(20, 1.4, 1.0, 0.6);
   vtkNew<vtkJetFitting> jets;

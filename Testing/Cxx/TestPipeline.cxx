@@ -171,7 +171,7 @@ TEST(Pipeline, GivesTheSameBytesEveryTime)
   EXPECT_TRUE(bytes == first.Bytes());
 }
 
-TEST(Pipeline, ExecutesAgainAfterAnyPropertyChangeAsIfNew)
+TEST(Pipeline, ChangedPropertyGivesTheSameAsANewPipeline)
 {
   const auto mesh = BlendData(24);
   Chain changed;
@@ -200,7 +200,7 @@ TEST(Pipeline, ExecutesAgainAfterAnyPropertyChangeAsIfNew)
   EXPECT_EQ(changed.ridges->GetOutput()->GetPointData()->GetNumberOfArrays(), 6);
 }
 
-TEST(Pipeline, TakesAnotherInputAsIfNew)
+TEST(Pipeline, AnotherInputGivesTheSameAsANewPipeline)
 {
   Chain changed;
   changed.jets->SetInputData(BlendData(24));
@@ -232,7 +232,7 @@ TEST(Pipeline, ProgressRisesToTheEnd)
   EXPECT_GT(ProgressOf(chain.jets).size(), 3u) << "nothing between the beginning and the end";
 }
 
-TEST(Pipeline, AbortLeavesEmptyOutputAndTheNextRunIsWhole)
+TEST(Pipeline, AbortGivesEmptyOutputAndTheNextRunIsComplete)
 {
   const auto mesh = BlendData(63);
   Chain chain;
@@ -252,7 +252,7 @@ TEST(Pipeline, AbortLeavesEmptyOutputAndTheNextRunIsWhole)
   }
 }
 
-TEST(Pipeline, AbortedFitLetsTheRestRunOnNothing)
+TEST(Pipeline, AbortedFitGivesEmptyOutputDownstream)
 {
   Chain chain;
   chain.jets->SetInputData(BlendData(63));

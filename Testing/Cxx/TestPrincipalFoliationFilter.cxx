@@ -70,7 +70,7 @@ void ForEachSegment(vtkPolyData* lines, const Visitor& visit)
 
 } // namespace
 
-TEST(PrincipalFoliationFilter, PutsOutTheArraysOfTheContract)
+TEST(PrincipalFoliationFilter, OutputsTheDocumentedArrays)
 {
   const Outputs outputs = RunFilters(EllipsoidData(32));
   for (const bool minimum : { false, true })
@@ -116,7 +116,7 @@ TEST(PrincipalFoliationFilter, PutsOutTheArraysOfTheContract)
   }
 }
 
-TEST(PrincipalFoliationFilter, BothAreTheOnesAndThenTheOthers)
+TEST(PrincipalFoliationFilter, BothGivesMaximumThenMinimum)
 {
   const Outputs outputs = RunFilters(BlendData(24));
   const auto blue = LinesOf(outputs.marked);
@@ -317,7 +317,7 @@ TEST(PrincipalFoliationFilter, ScalesAndMovesWithTheMesh)
   }
 }
 
-TEST(PrincipalFoliationFilter, FaultyMeshesAreWorkedAround)
+TEST(PrincipalFoliationFilter, AcceptsDefectiveMeshes)
 {
   // Polygons and strips are triangulated, and said so.
   const Outputs outputs = RunFilters(EllipsoidData(12));
@@ -355,7 +355,7 @@ TEST(PrincipalFoliationFilter, FaultyMeshesAreWorkedAround)
   EXPECT_GT(lines->GetNumberOfLines(), 10);
 }
 
-TEST(PrincipalFoliationFilter, ArraysWithoutSenseAreNoCrashAndNoEndlessLoop)
+TEST(PrincipalFoliationFilter, TerminatesWithMeaninglessArrays)
 {
   for (const std::uint64_t seed : { 1u, 2u, 3u })
   {
@@ -381,7 +381,7 @@ TEST(PrincipalFoliationFilter, ArraysWithoutSenseAreNoCrashAndNoEndlessLoop)
   EXPECT_TRUE(IsEmpty(LinesOf(constant)));
 }
 
-TEST(PrincipalFoliationFilter, AbortLeavesNoOutputAndTheNextRunIsWhole)
+TEST(PrincipalFoliationFilter, AbortGivesNoOutputAndTheNextRunIsComplete)
 {
   const auto mesh = RunFilters(EllipsoidData(32)).fitted;
   vtkNew<vtkPrincipalFoliation> foliation;

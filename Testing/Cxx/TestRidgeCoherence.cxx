@@ -38,7 +38,7 @@ TEST(RidgeCoherence, BlendPasses)
   }
 }
 
-TEST(RidgeCoherence, TakesUmbilicsFromTheMeshToo)
+TEST(RidgeCoherence, ReadsUmbilicsFromTheMeshToo)
 {
   const Outputs outputs = RunFilters(BlendData(45));
   const auto with = Check(outputs);

@@ -92,12 +92,12 @@ protected:
 
 } // namespace
 
-TEST_F(Tampered, NothingYet)
+TEST_F(Tampered, UntamperedResultPasses)
 {
   EXPECT_EQ(Failed(this->Table()), "");
 }
 
-TEST_F(Tampered, IndexTellsACellOfThePart)
+TEST_F(Tampered, WrongIndexReportsACellOfItsPart)
 {
   this->Umbilics->GetPointData()->GetArray(names::Index)->SetComponent(0, 0, -0.5);
   const Row row = RowOf(this->Table(), "index sum");
@@ -107,7 +107,7 @@ TEST_F(Tampered, IndexTellsACellOfThePart)
   EXPECT_EQ(row.offenders, "0");
 }
 
-TEST_F(Tampered, RidgeCountTellsTheUmbilic)
+TEST_F(Tampered, ReportsAWrongRidgeCount)
 {
   this->Umbilics->GetPointData()->GetArray(names::RidgeCount)->SetComponent(2, 0, 3);
   const auto table = this->Table();
@@ -122,7 +122,7 @@ TEST_F(Tampered, RidgeCountTellsTheUmbilic)
   }
 }
 
-TEST_F(Tampered, MissingRidgeTellsItsUmbilicsAndEdges)
+TEST_F(Tampered, MissingRidgeReportsItsUmbilicsAndEdges)
 {
   const vtkIdType line = this->LineAtUmbilic();
   const std::string umbilic = std::to_string(static_cast<int>(
@@ -137,7 +137,7 @@ TEST_F(Tampered, MissingRidgeTellsItsUmbilicsAndEdges)
   EXPECT_GT(RowOf(table, "crossings").count, edges / 2); // those in patches are not looked at
 }
 
-TEST_F(Tampered, MissingLoopTellsItsEdges)
+TEST_F(Tampered, MissingLoopReportsItsEdges)
 {
   const vtkIdType line = this->LineOfLoop();
   const vtkIdType edges = static_cast<vtkIdType>(this->PointsOf(line).size()) - 1;
@@ -167,7 +167,7 @@ TEST_F(Tampered, ShortenedRidgeEndsNowhere)
   EXPECT_EQ(RowOf(table, "crossings").count, 9);
 }
 
-TEST_F(Tampered, ClosedFlagAndRidgeIdAreHeldAgainstTheLines)
+TEST_F(Tampered, ReportsWrongClosedFlagAndRidgeId)
 {
   const vtkIdType line = this->LineOfLoop();
   vtkDataArray* closed = this->Ridges->GetCellData()->GetArray(names::Closed);
@@ -182,7 +182,7 @@ TEST_F(Tampered, ClosedFlagAndRidgeIdAreHeldAgainstTheLines)
   EXPECT_EQ(Failed(this->Table()).find("ridge ends; "), 0u);
 }
 
-TEST_F(Tampered, TypeAtAnUmbilicTellsTheRidge)
+TEST_F(Tampered, ReportsAnEllipticRidgeAtAnUmbilic)
 {
   const vtkIdType line = this->LineAtUmbilic();
   vtkDataArray* type = this->Ridges->GetCellData()->GetArray(names::RidgeType);
@@ -193,7 +193,7 @@ TEST_F(Tampered, TypeAtAnUmbilicTellsTheRidge)
     std::to_string(this->ValueOfLine(names::RidgeId, line)));
 }
 
-TEST_F(Tampered, TurningPointTellsTheRidge)
+TEST_F(Tampered, ReportsAnOddNumberOfTurningPoints)
 {
   const vtkIdType line = this->LineOfLoop();
   this->Ridges->GetPointData()
@@ -206,7 +206,7 @@ TEST_F(Tampered, TurningPointTellsTheRidge)
   EXPECT_EQ(row.position, PointAt(this->Ridges, this->PointsOf(line)[3]));
 }
 
-TEST_F(Tampered, MovedPointIsTold)
+TEST_F(Tampered, ReportsAMovedPoint)
 {
   const vtkIdType point = this->PointsOf(this->LineOfLoop())[5];
   const Eigen::Vector3d moved = PointAt(this->Ridges, point) * 1.001;
@@ -219,7 +219,7 @@ TEST_F(Tampered, MovedPointIsTold)
   EXPECT_EQ(row.position, moved);
 }
 
-TEST_F(Tampered, MovedEndIsTold)
+TEST_F(Tampered, ReportsAMovedEnd)
 {
   const vtkIdType end = this->PointsOf(this->LineAtUmbilic()).front();
   const Eigen::Vector3d moved = PointAt(this->Ridges, end) * 1.001; // off its triangle
@@ -229,7 +229,7 @@ TEST_F(Tampered, MovedEndIsTold)
   EXPECT_EQ(RowOf(table, "points on edges").offenders, std::to_string(end));
 }
 
-TEST(RidgeCoherence, MovedTurningPointIsTold)
+TEST(RidgeCoherence, ReportsAMovedTurningPoint)
 {
   Outputs outputs = RunFilters(BlendData(45));
   const auto isInside = [&](vtkIdType point)
@@ -251,7 +251,7 @@ TEST(RidgeCoherence, MovedTurningPointIsTold)
   EXPECT_EQ(RowOf(table, "points on edges").offenders, std::to_string(point));
 }
 
-TEST_F(Tampered, EdgeThatIsNoneIsTold)
+TEST_F(Tampered, ReportsAnEdgeThatDoesNotExist)
 {
   const vtkIdType line = this->LineOfLoop();
   const vtkIdType point = this->PointsOf(line)[5];
@@ -266,7 +266,7 @@ TEST_F(Tampered, EdgeThatIsNoneIsTold)
   }
 }
 
-TEST_F(Tampered, TwoUmbilicsInATriangleTellTheCell)
+TEST_F(Tampered, ReportsTwoUmbilicsInATriangle)
 {
   vtkDataArray* triangle = this->Umbilics->GetPointData()->GetArray(names::Triangle);
   triangle->SetComponent(1, 0, triangle->GetComponent(0, 0));
@@ -278,7 +278,7 @@ TEST_F(Tampered, TwoUmbilicsInATriangleTellTheCell)
   EXPECT_EQ(RowOf(table, "patches").offenders, "1"); // it has left its patch
 }
 
-TEST_F(Tampered, PatchThatIsNoDiskTellsItsUmbilic)
+TEST_F(Tampered, ReportsAPatchThatIsNoDisk)
 {
   vtkDataArray* patch = this->Marked->GetCellData()->GetArray(names::UmbilicPatch);
   vtkIdType far = 0;
@@ -300,7 +300,7 @@ TEST_F(Tampered, PatchThatIsNoDiskTellsItsUmbilic)
   EXPECT_EQ(RowOf(this->Table(), "patches").offenders, "77");
 }
 
-TEST_F(Tampered, RidgeInsideAPatchIsTold)
+TEST_F(Tampered, ReportsARidgeInsideAPatch)
 {
   // All the mesh one patch.
   vtkDataArray* patch = this->Marked->GetCellData()->GetArray(names::UmbilicPatch);
@@ -311,7 +311,7 @@ TEST_F(Tampered, RidgeInsideAPatchIsTold)
   EXPECT_EQ(row.count, 6); // all there are
 }
 
-TEST_F(Tampered, RightAngleTellsTheEdge)
+TEST_F(Tampered, ReportsARightAngle)
 {
   // Far from umbilics, where the longest axis ends.
   vtkDataArray* direction = this->Marked->GetPointData()->GetArray(names::MaximumDirection);
@@ -377,7 +377,7 @@ TEST_F(Tampered, CopiedRidgeCrossesEdgesTwice)
   EXPECT_FALSE(RowOf(table, "points on edges").passed);
 }
 
-TEST_F(Tampered, NoMoreThanTwentyOffendersAreTold)
+TEST_F(Tampered, ReportsAtMostTwentyOffenders)
 {
   this->Ridges->GetPointData()->GetArray(names::EdgeParameter)->Fill(2.0);
   const Row row = RowOf(this->Table(), "points on edges");
@@ -386,7 +386,7 @@ TEST_F(Tampered, NoMoreThanTwentyOffendersAreTold)
   EXPECT_EQ(row.offenders.substr(row.offenders.size() - 5), ", ...");
 }
 
-TEST_F(Tampered, EverythingAtOnceIsNoCrash)
+TEST_F(Tampered, SurvivesEverythingAtOnce)
 {
   const double values[] = { -1.0, 0.0, 1e300, std::numeric_limits<double>::quiet_NaN() };
   for (const double value : values)

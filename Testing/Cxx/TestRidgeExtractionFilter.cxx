@@ -52,7 +52,7 @@ vtkSmartPointer<vtkPolyData> Extract(vtkPolyData* marked, SetUp setUp)
 
 } // namespace
 
-TEST(RidgeExtractionFilter, PutsOutTheArraysOfTheContract)
+TEST(RidgeExtractionFilter, OutputsTheDocumentedArrays)
 {
   const Outputs outputs = RunFilters(BlendData(32));
   vtkPolyData* ridges = outputs.ridges;

@@ -218,7 +218,7 @@ TEST(RidgeSharpnessFilter, NamesAllMissingArraysInOneError)
   EXPECT_TRUE(IsEmpty(filter->GetOutput()));
 }
 
-TEST(RidgeSharpnessFilter, AsksForNoArrayThatItDoesNotUse)
+TEST(RidgeSharpnessFilter, NeedsOnlyTheArraysItUses)
 {
   vtkNew<vtkRidgeSharpnessFilter> filter;
   const MessageRecorder recorder(filter);

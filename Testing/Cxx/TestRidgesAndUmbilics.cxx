@@ -225,7 +225,7 @@ TEST(RidgesAndUmbilics, HasTheDefaultsOfItsStages)
   EXPECT_EQ(filter->GetMinimumSharpness(), chain.selection->GetMinimumSharpness());
 }
 
-TEST(RidgesAndUmbilics, TellsTheNumberOfRingsSelected)
+TEST(RidgesAndUmbilics, ReportsTheSelectedNumberOfRings)
 {
   vtkNew<vtkRidgesAndUmbilics> filter;
   filter->SetInputData(EllipsoidData(16));
@@ -277,7 +277,7 @@ TEST(RidgesAndUmbilics, ProgressRisesInOneSweep)
   EXPECT_EQ(reported.back(), 1.0);
 }
 
-TEST(RidgesAndUmbilics, AbortInAnyStageLeavesEmptyOutputsAndTheNextRunIsWhole)
+TEST(RidgesAndUmbilics, AbortInAnyStageGivesEmptyOutputsAndTheNextRunIsComplete)
 {
   const auto mesh = BlendData(63);
   vtkNew<vtkRidgesAndUmbilics> filter;
@@ -311,7 +311,7 @@ TEST(RidgesAndUmbilics, AbortInAnyStageLeavesEmptyOutputsAndTheNextRunIsWhole)
   EXPECT_FALSE(IsEmpty(filter->GetOutput()));
 }
 
-TEST(RidgesAndUmbilics, ErrorOfAStageIsToldOnceInItsOwnName)
+TEST(RidgesAndUmbilics, ReportsErrorsOfAStageOnceInItsOwnName)
 {
   vtkNew<vtkRidgesAndUmbilics> filter;
   filter->SetInputData(EllipsoidData(8));
@@ -358,7 +358,7 @@ TEST(RidgesAndUmbilics, PointsWithoutTrianglesAreAnError)
   ExpectAllEmpty(filter);
 }
 
-TEST(RidgesAndUmbilics, QuadsAreTriangulatedAndSaidSoOnce)
+TEST(RidgesAndUmbilics, TriangulatesQuadsAndWarnsOnce)
 {
   // A wavy sheet of quads.
   std::vector<std::array<double, 3>> points;

@@ -97,7 +97,7 @@ TEST(UmbilicDetectionFilter, FindsSixAndTwoOnTheBlendForAllUsualPatchSizes)
   }
 }
 
-TEST(UmbilicDetectionFilter, PutsOutTheArraysOfTheContract)
+TEST(UmbilicDetectionFilter, OutputsTheDocumentedArrays)
 {
   const auto mesh = BlendData(32);
   const Outputs outputs = RunFilters(mesh);
@@ -301,7 +301,7 @@ TEST(UmbilicDetectionFilter, SettersClampAndAllIsPrinted)
   }
 }
 
-TEST(UmbilicDetectionFilter, PatchOfTheWholeMeshIsNoCrash)
+TEST(UmbilicDetectionFilter, AcceptsAPatchOfTheWholeMesh)
 {
   vtkNew<vtkJetFitting> jets;
   jets->SetInputData(EllipsoidData(6));

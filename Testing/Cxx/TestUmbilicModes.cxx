@@ -110,7 +110,7 @@ double TotalLength(vtkPolyData* ridges)
 
 } // namespace
 
-TEST(Significance, CancelsWhatNoiseHasMade)
+TEST(Significance, CancelsUmbilicsCausedByNoise)
 {
   vtkNew<vtkJetFitting> jets;
   jets->SetInputData(ToPolyData(NoisyEllipsoid()));
@@ -172,7 +172,7 @@ TEST(UmbilicJoining, OfTrianglesEndsAtTheCentroidsOfAllSingularOnes)
   EXPECT_EQ(CountLooseRidges(outputs.ridges, WholeRidges(outputs.ridges)), 0);
 }
 
-TEST(UmbilicJoining, OfTrianglesIsWhatComesWithoutMarks)
+TEST(UmbilicJoining, OfTrianglesEqualsTheResultWithoutMarks)
 {
   const Outputs outputs = RunFilters(BlendData(32));
   vtkNew<vtkRidgeExtraction> extraction;
@@ -255,7 +255,7 @@ TEST(TypeHysteresis, IsClampedAndPrinted)
   }
 }
 
-TEST(UmbilicZones, CoverASphereWithTheUmbilicsThatItMustHave)
+TEST(UmbilicZones, CoverASphereWithItsRequiredUmbilics)
 {
   const Outputs outputs = RunFilters(ToPolyData(Icosphere(20)));
   EXPECT_EQ(outputs.umbilics->GetNumberOfPoints(), 4);
@@ -279,7 +279,7 @@ TEST(UmbilicZones, CoverAPlane)
   }
 }
 
-TEST(UmbilicZones, AreNoneOnASmoothMesh)
+TEST(UmbilicZones, DoNotExistOnASmoothMesh)
 {
   const Outputs outputs = RunFilters(ToPolyData(EllipsoidMesh(32, 1.4, 1.0, 0.6)));
   vtkIdType inZones = 0;

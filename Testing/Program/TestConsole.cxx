@@ -15,7 +15,7 @@ namespace
 
 using program::PlainMessage;
 
-TEST(Console, TakesTheNoiseOutOfMessages)
+TEST(Console, StripsMessagesOfVTKsPrefixes)
 {
   EXPECT_EQ(PlainMessage("ERROR: In /a/b.cxx, line 12\nvtkThing (0x55aa): It is\n broken.\n\n"),
     "It is broken");

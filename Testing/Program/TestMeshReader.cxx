@@ -57,7 +57,7 @@ TEST(MeshReader, ReadsByExtensionInAnyCase)
   ExpectReadBack<vtkXMLPolyDataWriter>("mesh.vtp");
 }
 
-TEST(MeshReader, RefusesWhatIsNoMeshFile)
+TEST(MeshReader, RejectsOtherFiles)
 {
   EXPECT_THROW(program::ReadMesh(PathOf("no-such-file.off")), program::Failure);
   EXPECT_THROW(program::ReadMesh(testing::TempDir()), program::Failure);

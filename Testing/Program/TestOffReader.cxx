@@ -79,13 +79,13 @@ TEST(OffReader, KeepsDoublePrecision)
   EXPECT_EQ(mesh->GetPoint(0)[2], -123456789.123456789);
 }
 
-TEST(OffReader, NamesFileAndLineOfAFault)
+TEST(OffReader, NamesFileAndLineOfAnError)
 {
   EXPECT_EQ(FailureOf("OFF\n# comment\n1 0 0\n0 zero 0\n"),
     "m.off, line 4: a vertex needs three numbers : correct the line");
 }
 
-TEST(OffReader, RefusesFaultyFiles)
+TEST(OffReader, RejectsInvalidFiles)
 {
   const std::pair<const char*, const char*> faults[] = {
     { "", "line 0: the file is empty" },

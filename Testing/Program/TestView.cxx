@@ -89,7 +89,7 @@ TEST(View, IsDefinedForPointsWithoutExtent)
   }
 }
 
-TEST(View, PassesOverPointsThatNoTriangleUsesOrThatAreNotFinite)
+TEST(View, IgnoresUnusedAndNonFinitePoints)
 {
   vtkNew<vtkPoints> points;
   points->InsertNextPoint(0.0, 0.0, 0.0);

@@ -208,7 +208,7 @@ TEST(CoherenceChecks, ChordsCrossWhereTheirEndsAlternate)
   EXPECT_FALSE(cross(0.4, 0.6, 0.4, 0.7)); // touching
 }
 
-TEST(CoherenceChecks, RidgesToAnUmbilicAreHeldAgainstOthers)
+TEST(CoherenceChecks, RidgesToAnUmbilicMayNotCrossOthers)
 {
   Grid grid(2);
   grid.AddUmbilic(0, 0, 1);
@@ -300,7 +300,7 @@ TEST(CoherenceChecks, SmallLoopsMayBeMissing)
   EXPECT_EQ(FindLostCrossings(corner.picture, {}, Color::Red).crossed, 0u);
 }
 
-TEST(CoherenceChecks, CrossingsInsideRegionsAreNotLookedAt)
+TEST(CoherenceChecks, IgnoresCrossingsInsideRegions)
 {
   Grid grid(5, [](int x, int y) { return x == 2 && y == 2 ? -1.0 : 1.0; });
   EXPECT_EQ(FindLostCrossings(grid.picture, {}, Color::Blue).crossed, 6u);

@@ -100,7 +100,7 @@ TEST(ExtremalityError, TakesTheComponentOfTheColor)
 }
 
 //------------------------------------------------------------------------------
-TEST(MayBeWeak, PassesOverNoTriangleThatIsWeakByItsOwnResiduals)
+TEST(MayBeWeak, MissesNoTriangleThatIsWeakByItsOwnResiduals)
 {
   const MeshedSurface surface(Icosphere(4));
   const TriangleMesh& mesh = surface.Triangles();
@@ -119,7 +119,7 @@ TEST(MayBeWeak, PassesOverNoTriangleThatIsWeakByItsOwnResiduals)
 }
 
 //------------------------------------------------------------------------------
-TEST(IsGentle, TellsSlopesWithinTheFittingRadius)
+TEST(IsGentle, MeasuresSlopesWithinTheFittingRadius)
 {
   FieldArrays field(1);
   const double residual = 1e-3;

@@ -194,7 +194,7 @@ TEST(PrincipalFoliation, LinesKeepOutOfClosedAndSingularTriangles)
       .empty());
 }
 
-TEST(PrincipalFoliation, EndsWithAnyFieldOnAnyMesh)
+TEST(PrincipalFoliation, TerminatesWithAnyFieldOnAnyMesh)
 {
   const Mesh meshes[] = { Icosphere(6), TorusMesh(2.0, 0.7, 21, 11),
     CylinderPatch(1.0, 2.0, 1.0, 13, 9), AddNormalNoise(Icosphere(6), 0.3, 1) };
@@ -237,7 +237,7 @@ TEST(PrincipalFoliation, CutsLinesAtTheMaximumLength)
     std::none_of(lines.begin(), lines.end(), [](const auto& line) { return line.closed; }));
 }
 
-TEST(PrincipalFoliation, StopsWhenTold)
+TEST(PrincipalFoliation, StopsOnRequest)
 {
   const TorusLines torus(48);
   PrincipalFoliation foliation(

@@ -115,7 +115,7 @@ TEST(IndexCharge, SpreadingDoesNotDependOnTheNumbering)
 }
 
 //------------------------------------------------------------------------------
-TEST(IndexCharge, OfUnusableRegionsIsWhatIsDemandedFromAround)
+TEST(IndexCharge, OfUnusableRegionsFollowsFromTheirSurroundings)
 {
   const MeshedSurface surface(TorusMesh(2.0, 0.7, 41, 21));
   const TriangleMesh& mesh = surface.Triangles();

@@ -148,7 +148,7 @@ void CheckRenumbered(const Mesh& input)
 } // namespace
 
 //------------------------------------------------------------------------------
-TEST(PairCancellation, ConservesTheSumAndLeavesNoWay)
+TEST(PairCancellation, ConservesTheSumAndLeavesNoPath)
 {
   std::size_t regions = 0;
   std::size_t kept = 0;

@@ -252,7 +252,7 @@ TEST(JetBatch, AgreesWithLongDoubleOnAScan)
 }
 
 //------------------------------------------------------------------------------
-TEST(JetBatch, DoesNotDependOnTheBatchAVertexCameIn)
+TEST(JetBatch, DoesNotDependOnTheBatch)
 {
   const MeshedSurface surface(AddNormalNoise(EllipsoidMesh(12, 1.4, 1.0, 0.6), 1e-3, 5));
   for (const JetBatchKernel& kernel : JetBatchKernels())
@@ -334,7 +334,7 @@ TEST(JetBatch, LowerDegreesAgreeWithTheSolverForSinglePoints)
 }
 
 //------------------------------------------------------------------------------
-TEST(JetBatch, LeavesWhatItCannotDoToTheSolverForSinglePoints)
+TEST(JetBatch, LeavesIllConditionedPointsToTheSingleSolver)
 {
   // A flat grid: three rows of points at the border do not determine a quartic across it.
   const MeshedSurface surface(GraphPatch([](double, double) { return 0.0; }, 1.0, 10));
