@@ -12,6 +12,9 @@ namespace
 /// Condition numbers that one ring more may better.
 constexpr double GrowAbove = 2000.0;
 
+/// Batches estimate them lower, mostly by a third.
+constexpr double GrowBatchAbove = 0.5 * GrowAbove;
+
 bool IsFinite(const ridges::MongeForm& form)
 {
   const auto finite = [](double value) { return std::isfinite(value); };
@@ -80,7 +83,7 @@ void vtkRidgesFitPoints::FitBatches(Scratch& scratch)
       for (int lane = 0; lane < vertices.size(); ++lane)
       {
         const ridges::Id p = vertices[lane];
-        if (batch.good[lane] == 0.0 || !(batch.conditionNumber[lane] <= GrowAbove))
+        if (batch.good[lane] == 0.0 || !(batch.conditionNumber[lane] <= GrowBatchAbove))
         {
           this->FitAlone(p, scratch);
           continue;

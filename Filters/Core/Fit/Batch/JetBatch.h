@@ -72,6 +72,10 @@ struct JetBatch
  * and those before it, whatever the scaling of the columns. A lane with a ratio that is not above
  * `SmallestPivotRatio`, whose frame failed, or with a value that is not finite has no result and
  * is to be fitted by JetFitter.
+ *
+ * The condition number is that of the least squares, estimated from the factors: the longest column
+ * of its matrix over a bound on the least singular value that is at most five times too large (by
+ * experience, as the pivots in JetFit; in theory there is no such limit).
  */
 struct JetBatchKernel
 {

@@ -47,6 +47,8 @@ inline void FitDegree(ridges::JetBatch& batch)
   AddMoments<order, 3, order>(points, moments);
   NormalEquations<Degree> equations;
   equations.Factor(moments);
+  // No column is longer than that of ones.
+  const Vec conditionNumber = Sqrt(moments[0][0] * equations.LargestInverse());
 
   Vec coefficients[size];
   Project<Degree>(
@@ -77,7 +79,7 @@ inline void FitDegree(ridges::JetBatch& batch)
 
   const Vec residual = Sqrt(squares / totalWeight);
   Store(batch.residual, residual);
-  Store(batch.conditionNumber, Sqrt(equations.largestPivot / equations.smallestPivot));
+  Store(batch.conditionNumber, conditionNumber);
   Store(batch.radius, frame.radius);
   const Vec zeros = StoreMongeForm<Degree>(batch, frame, coefficients, perRadius);
   const auto good = equations.excess > 0.0 && !frame.failed && zeros + 0.0 * residual == 0.0;

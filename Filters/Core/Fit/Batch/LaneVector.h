@@ -58,6 +58,15 @@ inline Vec Sqrt(const Vec& a)
   return root;
 }
 
+/// The square root of a positive number to within 4 %, the same in all instruction sets: half the
+/// exponent, and a straight line through the roots of what is left.
+inline Vec RoughRoot(const Vec& a)
+{
+  using Bits = unsigned long long __attribute__((vector_size(Lanes * sizeof(double))));
+  constexpr unsigned long long offset = 0x1ff7a3bea91d9b1bULL;
+  return reinterpret_cast<Vec>((reinterpret_cast<Bits>(a) >> 1) + offset);
+}
+
 struct Vec3
 {
   Vec x, y, z;
