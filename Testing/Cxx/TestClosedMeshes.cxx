@@ -2,9 +2,9 @@
 // Every closed manifold mesh that CGAL is distributed with: the indices of the umbilics sum to the
 // Euler characteristic, and every ridge is a loop or ends at umbilics.
 
-#include "Coherence/WholeRidges.h"
 #include "FilterTestTools.h"
 #include "OffReader.h"
+#include "WholeRidges.h"
 
 #include "vtkCellArray.h"
 #include "vtkFieldData.h"

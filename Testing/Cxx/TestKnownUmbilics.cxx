@@ -2,10 +2,10 @@
 // Umbilics and the ridges that meet there on surfaces where both are known: numbers, whatever the
 // place, the numbering, the fineness of the mesh and the size of the patches.
 
-#include "Coherence/WholeRidges.h"
 #include "EllipsoidRidges.h"
 #include "FilterTestTools.h"
 #include "RidgeGraph.h"
+#include "WholeRidges.h"
 
 #include "vtkFieldData.h"
 #include "vtkJetFitting.h"

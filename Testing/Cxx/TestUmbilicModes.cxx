@@ -2,10 +2,10 @@
 // What Significance, UmbilicJoining and TypeHysteresis do on a noisy mesh, and zones where umbilics
 // mean nothing.
 
-#include "Coherence/WholeRidges.h"
 #include "FilterTestTools.h"
 #include "MongeMesh.h"
 #include "RidgeGraph.h"
+#include "WholeRidges.h"
 
 #include "vtkCellData.h"
 #include "vtkFieldData.h"

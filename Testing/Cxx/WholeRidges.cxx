@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Coherence/WholeRidges.h"
+#include "WholeRidges.h"
 
 #include "FilterTestTools.h"
 
