@@ -8,6 +8,7 @@
 #include "vtkRidgesCollect.h"
 #include "vtkRidgesFitErrors.h"
 #include "vtkRidgesMongeInput.h"
+#include "vtkRidgesRangeLoop.h"
 #include "vtkRidgesUmbilicOutput.h"
 
 #include "vtkPolyData.h"
@@ -146,8 +147,8 @@ int vtkRidgesIndexSearch::HalfTurns() const
 void vtkRidgesIndexSearch::Gather(double patchSize, vtkRidgesUmbilicOutput& found)
 {
   ridges::SpreadLargeCharges(this->Mesh, this->Charges);
-  ridges::UmbilicGathering gathering(
-    this->Mesh, this->Monge.arrays.GetField(), this->Charges, this->IsWeak, this->Usable);
+  ridges::UmbilicGathering gathering(this->Mesh, this->Monge.arrays.GetField(), this->Charges,
+    this->IsWeak, this->Usable, vtkRidgesRangeLoop);
   found.umbilics = gathering.Umbilics(patchSize);
   found.cancelled = gathering.CancelledRegions();
   found.zones = ridges::WeakZones(this->Mesh, this->IsWeak);

@@ -31,9 +31,8 @@ vtkNew<Array> MakeArray(const char* name, int components = 1)
   return array;
 }
 
-using Regions = std::vector<std::vector<ridges::Id>>;
-
 /// The number of the region that a cell is in, -1 outside.
+template <typename Regions>
 void FillWithRegions(vtkIdTypeArray* array, const vtkRidgesMesh& mesh, const Regions& regions)
 {
   vtkIdType* values = array->GetPointer(0);
@@ -54,7 +53,7 @@ void vtkRidgesUmbilicOutput::MarkOnMesh(const vtkRidgesMesh& mesh, vtkPolyData* 
   output->ShallowCopy(mesh.GetPolyData());
   mesh.HandOnWith(output);
 
-  Regions patches;
+  ridges::TriangleGroups patches;
   auto position = MakeArray<vtkDoubleArray>(names::UmbilicPosition, 3);
   auto index = MakeArray<vtkDoubleArray>(names::UmbilicIndex);
   auto ridgeCount = MakeArray<vtkIntArray>(names::UmbilicRidgeCount);
@@ -62,7 +61,7 @@ void vtkRidgesUmbilicOutput::MarkOnMesh(const vtkRidgesMesh& mesh, vtkPolyData* 
   auto triangle = MakeArray<vtkIdTypeArray>(names::UmbilicTriangle);
   for (const ridges::Umbilic& umbilic : this->umbilics)
   {
-    patches.push_back(umbilic.patch);
+    patches.Add(umbilic.patch);
     triangle->InsertNextValue(mesh.GetCellId(umbilic.triangle));
     position->InsertNextTuple(umbilic.position.data());
     index->InsertNextValue(umbilic.index);

@@ -2,6 +2,7 @@
 #ifndef vtkRidgesUmbilicOutput_h
 #define vtkRidgesUmbilicOutput_h
 
+#include "Core/Mesh/TriangleGroups.h"
 #include "Core/Umbilics/Umbilic.h"
 
 #include <vector>
@@ -18,7 +19,7 @@ public:
   std::vector<ridges::Umbilic> umbilics;
 
   /// Outside all patches, triangles where umbilics have cancelled each other.
-  std::vector<std::vector<ridges::Id>> cancelled;
+  ridges::TriangleGroups cancelled;
 
   /// Triangles where k1 - k2 is nowhere significant.
   std::vector<std::vector<ridges::Id>> zones;

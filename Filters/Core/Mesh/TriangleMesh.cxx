@@ -220,15 +220,13 @@ Eigen::Vector3d TriangleMesh::Centroid(Id t) const
 {
   // Summed by size, so that the corner that a triangle starts at does not show even in round-off.
   const Triangle& c = this->Corners(t);
-  Eigen::Vector3d centroid;
-  for (int i = 0; i < 3; ++i)
-  {
-    std::array<double, 3> values = { this->Point(c[0])[i], this->Point(c[1])[i],
-      this->Point(c[2])[i] };
-    std::sort(values.begin(), values.end());
-    centroid[i] = (values[0] + values[1] + values[2]) / 3.0;
-  }
-  return centroid;
+  const Eigen::Array3d x = this->Point(c[0]);
+  const Eigen::Array3d y = this->Point(c[1]);
+  const Eigen::Array3d z = this->Point(c[2]);
+  const Eigen::Array3d lower = x.min(y);
+  const Eigen::Array3d upper = x.max(y);
+  const Eigen::Array3d middle = lower.max(upper.min(z));
+  return (lower.min(z) + middle + upper.max(z)) / 3.0;
 }
 
 Eigen::Vector3d TriangleMesh::AreaNormal(Id t) const

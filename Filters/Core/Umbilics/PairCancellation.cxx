@@ -1,14 +1,27 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkRidges contributors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Umbilics/PairCancellation.h"
 
 #include "Mesh/PositionOrder.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdlib>
-#include <limits>
-#include <queue>
+#include <numeric>
 #include <tuple>
 #include <utility>
+
+// All umbilics grow at the same speed, triangle by triangle, over the triangles that paths may pass
+// through. Each triangle goes to the umbilic with the shortest path to it. Where two opposite ones
+// meet, halfway along the path between them, no shorter path is left, and they cancel each other.
+// The triangles of both are free again, and the umbilics around grow into them.
+//
+// This finds the shortest path between opposite umbilics each time. Paths between those that are
+// left are never shorter than the one before. And no point of the shortest path is nearer to a
+// third umbilic than to both its ends: otherwise there would be a shorter path.
+//
+// Umbilics that have grown by the same number of triangles are handled together, in the order of
+// the mesh as far as possible. A search in the order of lengths would jump about in memory.
 
 namespace ridges
 {
@@ -17,208 +30,372 @@ namespace
 
 constexpr Id None = -1;
 
-/// Where the ways from two umbilics meet: in neighbouring triangles.
-struct Meeting
+/// What is known of a triangle that paths may pass through.
+struct Node
 {
-  double length; ///< Of the whole way from one umbilic to the other.
-  Id charge0;
-  Id charge1;
-  Id triangle0;
-  Id triangle1;
+  double length = 0.0; ///< Of the path from the umbilic that has the triangle.
+  Id steps = 0;        ///< The same in triangles.
+  Id owner = None;     ///< That umbilic.
+  Id previous = None;  ///< The triangle before this one on the path.
+  Id path = None;      ///< A path along which umbilics were cancelled.
 };
 
-/// Shortest ways from all umbilics at once over weak triangles, each triangle for the nearest.
-class Ways
+/// Neighbouring triangles of two opposite umbilics, that of the one that comes first at first.
+struct Meeting
+{
+  double length; ///< Of the path from one umbilic to the other.
+  Id triangle;
+  Id beside;
+};
+
+class Growth
 {
 public:
-  Ways(const TriangleMesh& mesh, const std::vector<IndexCharge>& charges,
-    const std::vector<std::uint8_t>& isWeak)
-    : Mesh_(mesh)
-    , Charges_(charges)
-    , IsOpen_(isWeak)
-    , IsActive_(charges.size(), 0)
-    , Nodes_(mesh.NumberOfTriangles())
-  {
-    for (std::size_t i = 0; i < charges.size(); ++i)
-    {
-      this->IsActive_[i] = std::abs(charges[i].halfTurns) == 1 ? 1 : 0;
-      this->IsOpen_[charges[i].triangle] = this->IsActive_[i];
-    }
-  }
+  Growth(const TriangleMesh& mesh, const std::vector<IndexCharge>& charges,
+    const std::vector<std::uint8_t>& isWeak, const RangeLoop& loop);
+
+  void Run();
 
   bool IsActive(Id charge) const { return this->IsActive_[charge] != 0; }
 
-  /// All meetings of ways from opposite umbilics that are not cancelled yet.
-  std::vector<Meeting> Meet();
-
-  /// Cancels the two umbilics. The way along which they meet joins a region with all that it
-  /// passes through.
-  void Cancel(const Meeting& meeting);
-
-  std::vector<std::vector<Id>> TakeRegions();
+  /// The triangles of all paths that touch each other are a region.
+  void CollectRegions(Cancellation& result);
 
 private:
-  struct Node
+  bool IsPositive(Id charge) const { return this->Charges_[charge].halfTurns > 0; }
+  bool AreOpposite(Id a, Id b) const { return this->IsPositive(a) != this->IsPositive(b); }
+  double Step(Id a, Id b) const
   {
-    double distance = std::numeric_limits<double>::max();
-    Id charge = None;
-    Id previous = None;
-    Id region = None;
-  };
-  struct Arrival
+    return (this->Mesh_.Centroid(a) - this->Mesh_.Centroid(b)).norm();
+  }
+  /// Of the path across two neighbouring triangles, that of the umbilic that comes first at first.
+  double PathLength(Id triangle, Id beside) const
   {
-    double distance;
-    Id charge;
-    Id triangle;
-    Id previous;
-  };
+    return this->Nodes_[triangle].length + this->Step(triangle, beside) +
+      this->Nodes_[beside].length;
+  }
 
-  /// What comes first: by length, and where that is equal, by position.
-  bool IsLater(const Arrival& a, const Arrival& b) const;
-  bool IsBefore(const Meeting& a, const Meeting& b) const;
-
-  void AddWay(Id from, Id region);
+  void GrowTo(std::size_t steps);
+  void AddToFront(Id triangle, std::size_t steps);
+  bool Settle(Id triangle, Id steps);
+  void LookAround(Id triangle);
+  bool CancelMeetings(std::size_t steps);
+  bool IsStill(const Meeting& meeting, std::size_t steps) const;
+  bool Precedes(const Meeting& a, const Meeting& b) const;
+  void Free(Id charge);
+  void AddPath(Id from, Id path);
+  Id RootOf(Id path);
 
   const TriangleMesh& Mesh_;
   const std::vector<IndexCharge>& Charges_;
-  std::vector<std::uint8_t> IsOpen_;
-  std::vector<std::uint8_t> IsActive_;
-  std::vector<Node> Nodes_;
-  std::vector<Id> Reached_;
-  std::vector<std::vector<Id>> Regions_;
+  std::vector<std::uint8_t> IsActive_; ///< Whether an umbilic may be cancelled and is not yet.
+  std::vector<std::uint8_t> IsOpen_;   ///< Whether paths may pass through a triangle.
+  std::array<Id, 2> Left_ = { 0, 0 };  ///< Active ones, negative and positive.
+  Buffer<Node> Nodes_;
+  std::vector<std::vector<Id>> Front_;         ///< By steps: triangles that may be that far.
+  std::vector<std::vector<Meeting>> Meetings_; ///< By steps of the whole path.
+  std::size_t FirstFront_ = 1;                 ///< None before this one is left.
+  std::vector<Id> Parents_;                    ///< Of paths: those that touch have one root.
+  std::vector<Id> OnPaths_;                    ///< All triangles that a path passes through.
+  std::vector<Id> Scratch_;
 };
 
-bool Ways::IsLater(const Arrival& a, const Arrival& b) const
+Growth::Growth(const TriangleMesh& mesh, const std::vector<IndexCharge>& charges,
+  const std::vector<std::uint8_t>& isWeak, const RangeLoop& loop)
+  : Mesh_(mesh)
+  , Charges_(charges)
+  , IsActive_(charges.size())
+  , IsOpen_(isWeak)
+  , Nodes_(isWeak.size())
 {
-  const auto x = std::tie(a.distance, a.charge);
-  const auto y = std::tie(b.distance, b.charge);
-  if (x != y)
+  loop(mesh.NumberOfTriangles(),
+    [this](Id begin, Id end)
+    { std::fill(this->Nodes_.begin() + begin, this->Nodes_.begin() + end, Node{}); });
+  for (Id i = 0; i < static_cast<Id>(charges.size()); ++i)
   {
-    return x > y;
+    const Id t = charges[i].triangle;
+    const bool active = std::abs(charges[i].halfTurns) == 1;
+    this->IsActive_[i] = active ? 1 : 0;
+    this->IsOpen_[t] = active ? 1 : 0;
+    if (active)
+    {
+      this->Nodes_[t].owner = i;
+      ++this->Left_[this->IsPositive(i) ? 1 : 0];
+    }
   }
-  if (a.triangle != b.triangle)
-  {
-    return ComesBefore(this->Mesh_, b.triangle, a.triangle);
-  }
-  return a.previous != b.previous && a.previous != None && b.previous != None &&
-    ComesBefore(this->Mesh_, b.previous, a.previous);
 }
 
-bool Ways::IsBefore(const Meeting& a, const Meeting& b) const
+void Growth::Run()
 {
-  const auto x = std::tie(a.length, a.charge0, a.charge1);
-  const auto y = std::tie(b.length, b.charge0, b.charge1);
+  this->Front_.resize(2);
+  this->Meetings_.resize(2);
+  for (std::size_t i = 0; i < this->Charges_.size(); ++i)
+  {
+    if (this->IsActive_[i])
+    {
+      this->LookAround(this->Charges_[i].triangle);
+    }
+  }
+  // Paths of so many steps meet in triangles that are half as far at most.
+  for (std::size_t steps = 1;
+       steps < this->Meetings_.size() || this->FirstFront_ < this->Front_.size(); ++steps)
+  {
+    this->GrowTo(steps / 2);
+    while (steps < this->Meetings_.size() && this->CancelMeetings(steps))
+    {
+      this->GrowTo(steps / 2);
+    }
+    if (this->Left_[0] == 0 || this->Left_[1] == 0)
+    {
+      return;
+    }
+  }
+}
+
+void Growth::GrowTo(std::size_t steps)
+{
+  const std::size_t end = std::min(steps + 1, this->Front_.size());
+  for (; this->FirstFront_ < end; ++this->FirstFront_)
+  {
+    const std::vector<Id> front = std::move(this->Front_[this->FirstFront_]);
+    this->Front_[this->FirstFront_].clear();
+    for (const Id t : front)
+    {
+      if (this->Settle(t, static_cast<Id>(this->FirstFront_)))
+      {
+        this->LookAround(t);
+      }
+    }
+  }
+}
+
+void Growth::AddToFront(Id triangle, std::size_t steps)
+{
+  this->Front_.resize(std::max(this->Front_.size(), steps + 1));
+  this->Front_[steps].push_back(triangle);
+  this->FirstFront_ = std::min(this->FirstFront_, steps);
+}
+
+/// Gives a triangle to the umbilic with the shortest of all paths that arrive in so many steps.
+bool Growth::Settle(Id triangle, Id steps)
+{
+  Node& node = this->Nodes_[triangle];
+  if (node.owner != None)
+  {
+    return false;
+  }
+  for (int side = 0; side < 3; ++side)
+  {
+    const Id previous = this->Mesh_.Neighbor(triangle, side);
+    if (previous < 0)
+    {
+      continue;
+    }
+    const Node& before = this->Nodes_[previous];
+    if (before.owner == None || before.steps != steps - 1 || !this->IsActive(before.owner))
+    {
+      continue;
+    }
+    const double length = before.length + this->Step(triangle, previous);
+    const auto offered = std::tie(length, before.owner);
+    const auto taken = std::tie(node.length, node.owner);
+    if (node.owner == None || offered < taken ||
+      (offered == taken && ComesBefore(this->Mesh_, previous, node.previous)))
+    {
+      node.length = length;
+      node.owner = before.owner;
+      node.previous = previous;
+    }
+  }
+  node.steps = steps;
+  return node.owner != None;
+}
+
+/// What is next to a triangle that was settled: more to grow into, and opposite umbilics.
+void Growth::LookAround(Id triangle)
+{
+  const Node& node = this->Nodes_[triangle];
+  for (int side = 0; side < 3; ++side)
+  {
+    const Id next = this->Mesh_.Neighbor(triangle, side);
+    if (next < 0 || !this->IsOpen_[next])
+    {
+      continue;
+    }
+    const Node& other = this->Nodes_[next];
+    if (other.owner == None)
+    {
+      this->AddToFront(next, node.steps + 1);
+    }
+    else if (this->AreOpposite(node.owner, other.owner))
+    {
+      const std::size_t steps = static_cast<std::size_t>(node.steps) + other.steps + 1;
+      this->Meetings_.resize(std::max(this->Meetings_.size(), steps + 1));
+      const Id ofFirst = node.owner < other.owner ? triangle : next;
+      const Id ofSecond = ofFirst == triangle ? next : triangle;
+      this->Meetings_[steps].push_back({ this->PathLength(ofFirst, ofSecond), ofFirst, ofSecond });
+    }
+  }
+}
+
+bool Growth::Precedes(const Meeting& a, const Meeting& b) const
+{
+  const auto x = std::tie(a.length, this->Nodes_[a.triangle].owner, this->Nodes_[a.beside].owner);
+  const auto y = std::tie(b.length, this->Nodes_[b.triangle].owner, this->Nodes_[b.beside].owner);
   if (x != y)
   {
     return x < y;
   }
-  return a.triangle0 != b.triangle0
-    ? ComesBefore(this->Mesh_, a.triangle0, b.triangle0)
-    : a.triangle1 != b.triangle1 && ComesBefore(this->Mesh_, a.triangle1, b.triangle1);
+  return a.triangle != b.triangle
+    ? ComesBefore(this->Mesh_, a.triangle, b.triangle)
+    : a.beside != b.beside && ComesBefore(this->Mesh_, a.beside, b.beside);
 }
 
-std::vector<Meeting> Ways::Meet()
+/// Whether both triangles belong to umbilics that meet in this path, and not to others by now.
+bool Growth::IsStill(const Meeting& meeting, std::size_t steps) const
 {
-  for (const Id t : this->Reached_)
-  {
-    this->Nodes_[t].charge = None;
-  }
-  this->Reached_.clear();
+  const Node& a = this->Nodes_[meeting.triangle];
+  const Node& b = this->Nodes_[meeting.beside];
+  return a.owner != None && b.owner != None && a.owner < b.owner && this->IsActive(a.owner) &&
+    this->IsActive(b.owner) && this->AreOpposite(a.owner, b.owner) &&
+    static_cast<std::size_t>(a.steps) + b.steps + 1 == steps &&
+    this->PathLength(meeting.triangle, meeting.beside) == meeting.length;
+}
 
-  const auto isLater = [this](const Arrival& a, const Arrival& b) { return this->IsLater(a, b); };
-  std::priority_queue<Arrival, std::vector<Arrival>, decltype(isLater)> arrivals(isLater);
-  for (Id i = 0; i < static_cast<Id>(this->Charges_.size()); ++i)
+/// Cancels those that meet after so many steps, the shortest path first. False if there are none.
+bool Growth::CancelMeetings(std::size_t steps)
+{
+  std::vector<Meeting> meetings = std::move(this->Meetings_[steps]);
+  this->Meetings_[steps].clear();
+  const auto isOver = [this, steps](const Meeting& meeting)
+  { return !this->IsStill(meeting, steps); };
+  meetings.erase(std::remove_if(meetings.begin(), meetings.end(), isOver), meetings.end());
+  std::sort(meetings.begin(), meetings.end(),
+    [this](const Meeting& a, const Meeting& b) { return this->Precedes(a, b); });
+  std::vector<Id> cancelled;
+  for (const Meeting& meeting : meetings)
   {
-    if (this->IsActive(i))
-    {
-      arrivals.push({ 0.0, i, this->Charges_[i].triangle, None });
-    }
-  }
-  std::vector<Meeting> meetings;
-  while (!arrivals.empty())
-  {
-    const Arrival arrival = arrivals.top();
-    arrivals.pop();
-    Node& node = this->Nodes_[arrival.triangle];
-    if (node.charge != None)
+    const Id first = this->Nodes_[meeting.triangle].owner;
+    const Id second = this->Nodes_[meeting.beside].owner;
+    if (!this->IsActive(first) || !this->IsActive(second))
     {
       continue;
     }
-    node.distance = arrival.distance;
-    node.charge = arrival.charge;
-    node.previous = arrival.previous;
-    this->Reached_.push_back(arrival.triangle);
-    const Eigen::Vector3d center = this->Mesh_.Centroid(arrival.triangle);
+    this->IsActive_[first] = 0;
+    this->IsActive_[second] = 0;
+    cancelled.insert(cancelled.end(), { first, second });
+    const Id path = static_cast<Id>(this->Parents_.size());
+    this->Parents_.push_back(path);
+    this->AddPath(meeting.triangle, path);
+    this->AddPath(meeting.beside, path);
+    --this->Left_[0];
+    --this->Left_[1];
+  }
+  for (const Id charge : cancelled)
+  {
+    this->Free(charge);
+  }
+  return !cancelled.empty();
+}
+
+/// Takes from an umbilic all its triangles, into which others may grow now.
+void Growth::Free(Id charge)
+{
+  const Id start = this->Charges_[charge].triangle;
+  this->Nodes_[start].owner = None;
+  this->Scratch_.assign(1, start);
+  while (!this->Scratch_.empty())
+  {
+    const Id t = this->Scratch_.back();
+    this->Scratch_.pop_back();
     for (int side = 0; side < 3; ++side)
     {
-      const Id next = this->Mesh_.Neighbor(arrival.triangle, side);
-      if (next < 0 || !this->IsOpen_[next])
+      const Id next = this->Mesh_.Neighbor(t, side);
+      if (next < 0 || this->Nodes_[next].owner == None)
       {
         continue;
       }
-      const double distance = arrival.distance + (this->Mesh_.Centroid(next) - center).norm();
-      const Node& other = this->Nodes_[next];
-      if (other.charge == None)
+      Node& other = this->Nodes_[next];
+      if (other.owner == charge)
       {
-        arrivals.push({ distance, arrival.charge, next, arrival.triangle });
+        other.owner = None;
+        this->Scratch_.push_back(next);
       }
-      else if (this->Charges_[other.charge].halfTurns != this->Charges_[arrival.charge].halfTurns)
+      else if (this->IsActive(other.owner))
       {
-        meetings.push_back({ distance + other.distance, std::min(arrival.charge, other.charge),
-          std::max(arrival.charge, other.charge), arrival.triangle, next });
+        this->AddToFront(t, other.steps + 1);
       }
     }
   }
-  std::sort(meetings.begin(), meetings.end(),
-    [this](const Meeting& a, const Meeting& b) { return this->IsBefore(a, b); });
-  return meetings;
 }
 
-void Ways::AddWay(Id from, Id region)
+void Growth::AddPath(Id from, Id path)
 {
-  std::vector<Id>& triangles = this->Regions_[region];
   for (Id t = from; t != None; t = this->Nodes_[t].previous)
   {
-    const Id old = this->Nodes_[t].region;
-    if (old == None)
+    Node& node = this->Nodes_[t];
+    if (node.path == None)
     {
-      this->Nodes_[t].region = region;
-      triangles.push_back(t);
+      node.path = path;
+      this->OnPaths_.push_back(t);
     }
-    else if (old != region)
+    else
     {
-      for (const Id s : this->Regions_[old])
-      {
-        this->Nodes_[s].region = region;
-      }
-      triangles.insert(triangles.end(), this->Regions_[old].begin(), this->Regions_[old].end());
-      this->Regions_[old].clear();
+      this->Parents_[this->RootOf(node.path)] = this->RootOf(path);
     }
   }
 }
 
-void Ways::Cancel(const Meeting& meeting)
+Id Growth::RootOf(Id path)
 {
-  const Id region = static_cast<Id>(this->Regions_.size());
-  this->Regions_.emplace_back();
-  this->AddWay(meeting.triangle0, region);
-  this->AddWay(meeting.triangle1, region);
-  this->IsActive_[meeting.charge0] = 0;
-  this->IsActive_[meeting.charge1] = 0;
+  while (this->Parents_[path] != path)
+  {
+    this->Parents_[path] = this->Parents_[this->Parents_[path]];
+    path = this->Parents_[path];
+  }
+  return path;
 }
 
-std::vector<std::vector<Id>> Ways::TakeRegions()
+// By the first umbilic of each.
+void Growth::CollectRegions(Cancellation& result)
 {
-  const auto isEmpty = [](const std::vector<Id>& region) { return region.empty(); };
-  this->Regions_.erase(
-    std::remove_if(this->Regions_.begin(), this->Regions_.end(), isEmpty), this->Regions_.end());
-  return std::move(this->Regions_);
+  if (this->OnPaths_.empty())
+  {
+    return;
+  }
+  std::vector<Id> regionOfPath(this->Parents_.size(), Cancellation::NoRegion);
+  Id count = 0;
+  for (const IndexCharge& charge : this->Charges_)
+  {
+    const Id path = this->Nodes_[charge.triangle].path;
+    if (path != None)
+    {
+      Id& region = regionOfPath[this->RootOf(path)];
+      region = region == Cancellation::NoRegion ? count++ : region;
+    }
+  }
+  result.regionOf.assign(this->Nodes_.size(), Cancellation::NoRegion);
+  std::vector<std::size_t> ends(count, 0);
+  for (const Id t : this->OnPaths_)
+  {
+    const Id region = regionOfPath[this->RootOf(this->Nodes_[t].path)];
+    result.regionOf[t] = region;
+    ++ends[region];
+  }
+  std::partial_sum(ends.begin(), ends.end(), ends.begin());
+  std::vector<Id> triangles(this->OnPaths_.size());
+  std::vector<std::size_t> places(ends);
+  for (const Id t : this->OnPaths_)
+  {
+    triangles[--places[result.regionOf[t]]] = t;
+  }
+  result.regions = TriangleGroups(std::move(triangles), std::move(ends));
 }
 
 } // namespace
 
 Cancellation CancelPairs(const TriangleMesh& mesh, std::vector<IndexCharge> charges,
-  const std::vector<std::uint8_t>& isWeak)
+  const std::vector<std::uint8_t>& isWeak, const RangeLoop& loop)
 {
   SortByPosition(mesh, charges);
   Cancellation result;
@@ -232,24 +409,12 @@ Cancellation CancelPairs(const TriangleMesh& mesh, std::vector<IndexCharge> char
     result.kept = std::move(charges);
     return result;
   }
-  Ways ways(mesh, charges, isWeak);
-  for (bool found = true; found;)
-  {
-    found = false;
-    for (const Meeting& meeting : ways.Meet())
-    {
-      // Those that meet an umbilic already gone look for another in the next round.
-      if (ways.IsActive(meeting.charge0) && ways.IsActive(meeting.charge1))
-      {
-        ways.Cancel(meeting);
-        found = true;
-      }
-    }
-  }
-  result.regions = ways.TakeRegions();
+  Growth growth(mesh, charges, isWeak, loop);
+  growth.Run();
+  growth.CollectRegions(result);
   for (Id i = 0; i < static_cast<Id>(charges.size()); ++i)
   {
-    if (std::abs(charges[i].halfTurns) != 1 || ways.IsActive(i))
+    if (std::abs(charges[i].halfTurns) != 1 || growth.IsActive(i))
     {
       result.kept.push_back(charges[i]);
     }

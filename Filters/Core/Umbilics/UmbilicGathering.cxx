@@ -13,7 +13,7 @@ namespace ridges
 
 UmbilicGathering::UmbilicGathering(const TriangleMesh& mesh, const MongeField& field,
   const std::vector<IndexCharge>& charges, const std::vector<std::uint8_t>& isWeak,
-  const std::uint8_t* usable)
+  const std::uint8_t* usable, const RangeLoop& loop)
   : Mesh_(mesh)
   , Field_(field)
   , Usable_(usable)
@@ -26,16 +26,9 @@ UmbilicGathering::UmbilicGathering(const TriangleMesh& mesh, const MongeField& f
     this->HalfTurns_[charge.triangle] = charge.halfTurns;
     (AreUsable(mesh.Corners(charge.triangle), usable) ? measured : unusable).push_back(charge);
   }
-  this->Cancellation_ = CancelPairs(mesh, std::move(measured), isWeak);
+  this->Cancellation_ = CancelPairs(mesh, std::move(measured), isWeak, loop);
   std::vector<IndexCharge>& kept = this->Cancellation_.kept;
   kept.insert(kept.end(), unusable.begin(), unusable.end());
-  for (std::size_t i = 0; i < this->Cancellation_.regions.size(); ++i)
-  {
-    for (const Id t : this->Cancellation_.regions[i])
-    {
-      this->RegionOf_[t] = i;
-    }
-  }
   this->IsSwallowed_.assign(this->Cancellation_.regions.size(), false);
 }
 
@@ -84,7 +77,7 @@ std::vector<Id> UmbilicGathering::ChoosePatch(
     this->Patch_.GrowTo(charge.triangle, std::min(2.0 * radius, halfWay * (1.0 - 1e-12)));
   const std::vector<double>& thresholds = this->Patch_.Thresholds();
   std::unordered_map<Id, Id> orderOf;
-  std::unordered_map<std::size_t, std::size_t> insideOfRegion;
+  std::unordered_map<Id, Id> insideOfRegion;
   int halfTurns = 0;
   int partialRegions = 0;
   int crossings[2] = { 0, 0 };
@@ -104,12 +97,12 @@ std::vector<Id> UmbilicGathering::ChoosePatch(
     orderOf[t] = i;
     const auto turns = this->HalfTurns_.find(t);
     halfTurns += turns != this->HalfTurns_.end() ? turns->second : 0;
-    const auto region = this->RegionOf_.find(t);
-    if (region != this->RegionOf_.end())
+    const Id region = this->RegionOf(t);
+    if (region != Cancellation::NoRegion)
     {
-      const std::size_t inside = ++insideOfRegion[region->second];
+      const Id inside = ++insideOfRegion[region];
       partialRegions += inside == 1 ? 1 : 0;
-      partialRegions -= inside == this->Cancellation_.regions[region->second].size() ? 1 : 0;
+      partialRegions -= inside == this->Cancellation_.regions[region].size() ? 1 : 0;
     }
     const Triangle& corners = this->Mesh_.Corners(t);
     for (int side = 0; side < 3; ++side)
@@ -153,10 +146,10 @@ std::vector<Umbilic> UmbilicGathering::Umbilics(double patchSize)
     umbilic.touchesBorder = TouchesBorder(this->Mesh_, umbilic.patch);
     for (const Id t : umbilic.patch)
     {
-      const auto region = this->RegionOf_.find(t);
-      if (region != this->RegionOf_.end())
+      const Id region = this->RegionOf(t);
+      if (region != Cancellation::NoRegion)
       {
-        this->IsSwallowed_[region->second] = true;
+        this->IsSwallowed_[region] = true;
       }
     }
     umbilics.push_back(std::move(umbilic));
@@ -165,14 +158,14 @@ std::vector<Umbilic> UmbilicGathering::Umbilics(double patchSize)
   return umbilics;
 }
 
-std::vector<std::vector<Id>> UmbilicGathering::CancelledRegions() const
+TriangleGroups UmbilicGathering::CancelledRegions() const
 {
-  std::vector<std::vector<Id>> outside;
+  TriangleGroups outside;
   for (std::size_t i = 0; i < this->Cancellation_.regions.size(); ++i)
   {
     if (!this->IsSwallowed_[i])
     {
-      outside.push_back(this->Cancellation_.regions[i]);
+      outside.Add(this->Cancellation_.regions[i]);
     }
   }
   return outside;

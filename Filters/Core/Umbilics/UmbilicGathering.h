@@ -27,16 +27,22 @@ public:
   /// the points that have directions, one flag for each; null means all.
   UmbilicGathering(const TriangleMesh& mesh, const MongeField& field,
     const std::vector<IndexCharge>& charges, const std::vector<std::uint8_t>& isWeak,
-    const std::uint8_t* usable = nullptr);
+    const std::uint8_t* usable = nullptr, const RangeLoop& loop = TriangleMesh::InOneRange);
 
   /// Umbilics in the order of x, then y, then z of their triangles; those that stand for triangles
   /// without directions come last.
   std::vector<Umbilic> Umbilics(double patchSize);
 
   /// Regions where umbilics have cancelled each other, outside all patches of the umbilics.
-  std::vector<std::vector<Id>> CancelledRegions() const;
+  TriangleGroups CancelledRegions() const;
 
 private:
+  /// The region that a triangle is in, or Cancellation::NoRegion.
+  Id RegionOf(Id triangle) const
+  {
+    const std::vector<Id>& regionOf = this->Cancellation_.regionOf;
+    return regionOf.empty() ? Cancellation::NoRegion : regionOf[triangle];
+  }
   std::vector<double> HalfWaysToNext() const;
   std::vector<Id> ChoosePatch(
     const IndexCharge& charge, int ridgeCount, double radius, double halfWay);
@@ -46,7 +52,6 @@ private:
   const std::uint8_t* Usable_;
   Cancellation Cancellation_;
   std::unordered_map<Id, int> HalfTurns_;
-  std::unordered_map<Id, std::size_t> RegionOf_;
   std::vector<bool> IsSwallowed_; ///< Whether a region is inside a patch.
   UmbilicPatch Patch_;
 };

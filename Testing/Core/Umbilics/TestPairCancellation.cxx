@@ -11,12 +11,23 @@
 #include <algorithm>
 #include <map>
 #include <set>
+#include <tuple>
 
 namespace
 {
 
 using namespace ridges;
 using namespace ridges::testing;
+
+std::vector<Id> ToVector(Span<Id> ids)
+{
+  return { ids.begin(), ids.end() };
+}
+
+std::set<Id> ToSet(Span<Id> ids)
+{
+  return { ids.begin(), ids.end() };
+}
 
 std::vector<IndexCharge> RandomCharges(const TriangleMesh& mesh, std::uint64_t seed, double share)
 {
@@ -87,14 +98,16 @@ void CheckRegions(const TriangleMesh& mesh, const Cancellation& result,
   }
   std::set<Id> taken;
   std::size_t cancelled = 0;
-  for (const std::vector<Id>& region : result.regions)
+  for (std::size_t i = 0; i < result.regions.size(); ++i)
   {
+    const std::vector<Id> region = ToVector(result.regions[i]);
     ASSERT_FALSE(region.empty());
     EXPECT_TRUE(IsConnected(mesh, region));
     int sum = 0;
     for (const Id t : region)
     {
       ASSERT_TRUE(taken.insert(t).second) << "triangle " << t << " is in two regions";
+      EXPECT_EQ(result.regionOf[t], static_cast<Id>(i));
       EXPECT_EQ(kept.count(t), 0u);
       const auto charge = before.find(t);
       EXPECT_TRUE(charge != before.end() || isWeak[t]);
@@ -104,6 +117,75 @@ void CheckRegions(const TriangleMesh& mesh, const Cancellation& result,
     EXPECT_EQ(sum, 0);
   }
   EXPECT_EQ(cancelled + result.kept.size(), charges.size());
+  for (std::size_t t = 0; t < result.regionOf.size(); ++t)
+  {
+    EXPECT_EQ(result.regionOf[t] != Cancellation::NoRegion, taken.count(static_cast<Id>(t)) > 0);
+  }
+}
+
+// Triangles on the path, and its length.
+using PathLength = std::pair<int, double>;
+
+// The lengths of the shortest paths from a triangle to all others that can be reached from it.
+std::map<Id, PathLength> PathsFrom(
+  const TriangleMesh& mesh, Id first, const std::vector<std::uint8_t>& isOpen)
+{
+  std::map<Id, PathLength> lengths;
+  std::set<std::pair<PathLength, Id>> front = { { { 0, 0.0 }, first } };
+  while (!front.empty())
+  {
+    const auto [length, t] = *front.begin();
+    front.erase(front.begin());
+    if (!lengths.insert({ t, length }).second)
+    {
+      continue;
+    }
+    for (int side = 0; side < 3; ++side)
+    {
+      const Id next = mesh.Neighbor(t, side);
+      if (next >= 0 && isOpen[next])
+      {
+        const double step = (mesh.Centroid(next) - mesh.Centroid(t)).norm();
+        front.insert({ { length.first + 1, length.second + step }, next });
+      }
+    }
+  }
+  return lengths;
+}
+
+// Again and again the pair with the shortest path, among all.
+std::set<Id> KeptByDefinition(const TriangleMesh& mesh, const std::vector<IndexCharge>& charges,
+  std::vector<std::uint8_t> isOpen)
+{
+  for (const IndexCharge& charge : charges)
+  {
+    isOpen[charge.triangle] = 1;
+  }
+  std::vector<std::tuple<PathLength, Id, Id>> pairs;
+  std::set<Id> kept;
+  for (const IndexCharge& charge : charges)
+  {
+    kept.insert(charge.triangle);
+    const std::map<Id, PathLength> lengths = PathsFrom(mesh, charge.triangle, isOpen);
+    for (const IndexCharge& other : charges)
+    {
+      const auto found = lengths.find(other.triangle);
+      if (charge.halfTurns > 0 && other.halfTurns < 0 && found != lengths.end())
+      {
+        pairs.emplace_back(found->second, charge.triangle, other.triangle);
+      }
+    }
+  }
+  std::sort(pairs.begin(), pairs.end());
+  for (const auto& [length, positive, negative] : pairs)
+  {
+    if (kept.count(positive) > 0 && kept.count(negative) > 0)
+    {
+      kept.erase(positive);
+      kept.erase(negative);
+    }
+  }
+  return kept;
 }
 
 // The same umbilics and regions whatever the numbering.
@@ -140,7 +222,7 @@ void CheckRenumbered(const Mesh& input)
       {
         renamed.insert(other.newTriangle[t]);
       }
-      EXPECT_EQ(std::set<Id>(found.regions[i].begin(), found.regions[i].end()), renamed);
+      EXPECT_EQ(ToSet(found.regions[i]), renamed);
     }
   }
 }
@@ -180,6 +262,28 @@ TEST(PairCancellation, ConservesTheSumAndLeavesNoPath)
 }
 
 //------------------------------------------------------------------------------
+// On irregular meshes: no two paths are of one length.
+TEST(PairCancellation, AlwaysTakesTheShortestPathOfAll)
+{
+  for (std::uint64_t seed = 1; seed <= 4; ++seed)
+  {
+    const MeshedSurface surface(AddNormalNoise(Icosphere(6), 0.01, seed));
+    const TriangleMesh& mesh = surface.Triangles();
+    for (const double share : { 0.02, 0.1, 0.4 })
+    {
+      const auto charges = RandomCharges(mesh, seed, share);
+      const auto isWeak = RandomWeak(mesh, seed + 10, 0.2 * static_cast<double>(seed));
+      std::set<Id> kept;
+      for (const IndexCharge& charge : CancelPairs(mesh, charges, isWeak).kept)
+      {
+        kept.insert(charge.triangle);
+      }
+      EXPECT_EQ(kept, KeptByDefinition(mesh, charges, isWeak));
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
 TEST(PairCancellation, TakesTheNearestFirst)
 {
   // A strip of triangles, all weak: one pair at a distance of 3 triangles, another of 8.
@@ -205,8 +309,7 @@ TEST(PairCancellation, WithoutWeakTrianglesOnlyNeighboursCancel)
     CancelPairs(mesh, { { 7, 1 }, { beside, -1 }, { 300, 1 }, { twoAway, -1 } }, weak);
   EXPECT_EQ(result.kept.size(), 2u);
   ASSERT_EQ(result.regions.size(), 1u);
-  EXPECT_EQ(
-    std::set<Id>(result.regions[0].begin(), result.regions[0].end()), (std::set<Id>{ 7, beside }));
+  EXPECT_EQ(ToSet(result.regions[0]), (std::set<Id>{ 7, beside }));
 }
 
 //------------------------------------------------------------------------------

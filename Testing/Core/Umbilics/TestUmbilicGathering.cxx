@@ -104,9 +104,11 @@ std::size_t CheckGathering(const TriangleMesh& mesh, const MongeField& field,
     }
   }
   EXPECT_EQ(after, before);
-  for (const std::vector<Id>& region : gathering.CancelledRegions())
+  const TriangleGroups regions = gathering.CancelledRegions();
+  for (std::size_t i = 0; i < regions.size(); ++i)
   {
-    EXPECT_EQ(HalfTurnsIn(region, chargeOf), 0);
+    const Span<Id> region = regions[i];
+    EXPECT_EQ(HalfTurnsIn({ region.begin(), region.end() }, chargeOf), 0);
     for (const Id t : region)
     {
       EXPECT_TRUE(taken.insert(t).second) << "a cancelled region is not its own";
