@@ -1,4 +1,6 @@
 #!/usr/bin/env bash
+# SPDX-FileCopyrightText: Copyright (c) vtkRidges contributors
+# SPDX-License-Identifier: BSD-3-Clause
 # Prints the prefix where ParaView with its Python modules is found.
 #
 #   .ci/paraview-prefix.sh DIRECTORY

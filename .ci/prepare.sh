@@ -1,4 +1,6 @@
 #!/usr/bin/env bash
+# SPDX-FileCopyrightText: Copyright (c) vtkRidges contributors
+# SPDX-License-Identifier: BSD-3-Clause
 # Installs what is missing (Debian packages), then configures and builds into build/.
 #
 #   .ci/prepare.sh [program] [python] [testing] [benchmarks]

@@ -1,4 +1,6 @@
 #!/usr/bin/env bash
+# SPDX-FileCopyrightText: Copyright (c) vtkRidges contributors
+# SPDX-License-Identifier: BSD-3-Clause
 # Builds the program vtkridges and draws the ridges of a mesh, of an example surface if none is
 # given. "bunny" stands for the Stanford bunny that CGAL's Debian packages carry, with options that
 # suit a scan unless others are given.

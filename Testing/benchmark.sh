@@ -1,4 +1,6 @@
 #!/usr/bin/env bash
+# SPDX-FileCopyrightText: Copyright (c) vtkRidges contributors
+# SPDX-License-Identifier: BSD-3-Clause
 # Builds the benchmarks and runs them; a few minutes. See Filters/Documentation/Speed.md.
 #
 #   Testing/benchmark.sh [GOOGLE BENCHMARK OPTION]...

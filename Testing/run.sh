@@ -1,4 +1,6 @@
 #!/usr/bin/env bash
+# SPDX-FileCopyrightText: Copyright (c) vtkRidges contributors
+# SPDX-License-Identifier: BSD-3-Clause
 # Builds everything and runs the tests, those of the ParaView plugin as well unless it is left out.
 #
 #   Testing/run.sh [--no-paraview] [CTEST OPTION]...

@@ -1,3 +1,4 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkRidges contributors
 // SPDX-License-Identifier: BSD-3-Clause
 // Ridges and umbilics of a mesh: Ridges [mesh.vtp]
 // Writes ridges.vtp and umbilics.vtp. Without a mesh it takes the example surface of RR-5294,

@@ -1,3 +1,4 @@
+# SPDX-FileCopyrightText: Copyright (c) vtkRidges contributors
 # SPDX-License-Identifier: BSD-3-Clause
 """What the examples that draw have in common: ridges in their colours, side by side in a .png.
 

@@ -1,3 +1,4 @@
+# SPDX-FileCopyrightText: Copyright (c) vtkRidges contributors
 # SPDX-License-Identifier: BSD-3-Clause
 """Curvature lines with ridges and umbilics, as in RR-5294, Fig. 1: python3 foliation.py --help
 

@@ -1,3 +1,4 @@
+# SPDX-FileCopyrightText: Copyright (c) vtkRidges contributors
 # SPDX-License-Identifier: BSD-3-Clause
 """From numpy arrays to numpy arrays: vertices and triangles in, polylines with their types out."""
 

@@ -1,3 +1,4 @@
+# SPDX-FileCopyrightText: Copyright (c) vtkRidges contributors
 # SPDX-License-Identifier: BSD-3-Clause
 """The four types of ridges in their colours, each on a patch of a surface that shows what it is.
 

@@ -1,3 +1,4 @@
+# SPDX-FileCopyrightText: Copyright (c) vtkRidges contributors
 # SPDX-License-Identifier: BSD-3-Clause
 """Ridges and umbilics of a mesh: python3 ridges.py [mesh.ply | .stl | .obj | .vtp]
 

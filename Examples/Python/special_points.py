@@ -1,3 +1,4 @@
+# SPDX-FileCopyrightText: Copyright (c) vtkRidges contributors
 # SPDX-License-Identifier: BSD-3-Clause
 """Umbilics, turning points and purple points on the ridges of the surface of RR-5294, Fig. 25.
 

@@ -1,3 +1,4 @@
+# SPDX-FileCopyrightText: Copyright (c) vtkRidges contributors
 # SPDX-License-Identifier: BSD-3-Clause
 """Close-up of an umbilic: the triangles of its patch, and how ridges are joined to it.
 

@@ -1,3 +1,4 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkRidges contributors
 // SPDX-License-Identifier: BSD-3-Clause
 #ifndef vtkRidgesIndexSearch_h
 #define vtkRidgesIndexSearch_h

@@ -1,3 +1,4 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkRidges contributors
 // SPDX-License-Identifier: BSD-3-Clause
 // The same steps with CGAL's packages Jet_fitting_3 and Ridges_3, on a Surface_mesh with its
 // property maps, the fastest that these packages take. CGAL leaves the gathering of neighbourhoods

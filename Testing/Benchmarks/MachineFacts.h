@@ -1,3 +1,4 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkRidges contributors
 // SPDX-License-Identifier: BSD-3-Clause
 #ifndef RIDGES_BENCHMARKS_MACHINE_FACTS_H
 #define RIDGES_BENCHMARKS_MACHINE_FACTS_H

@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: Copyright (c) vtkRidges contributors
+# SPDX-License-Identifier: BSD-3-Clause
 file(GLOB_RECURSE files "${DIRECTORY}/*.h" "${DIRECTORY}/*.cxx")
 if (NOT files)
   message(SEND_ERROR "no sources in ${DIRECTORY}")

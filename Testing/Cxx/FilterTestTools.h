@@ -1,3 +1,4 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkRidges contributors
 // SPDX-License-Identifier: BSD-3-Clause
 // What the tests of the filters share: meshes as vtkPolyData, the pipeline in one call, and checks
 // of arrays.

@@ -1,3 +1,4 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkRidges contributors
 // SPDX-License-Identifier: BSD-3-Clause
 // Polylines of vtkRidgeExtraction as a graph on the edges of the mesh, found again without the
 // library's help.

@@ -1,3 +1,4 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkRidges contributors
 // SPDX-License-Identifier: BSD-3-Clause
 // Polylines of vtkRidgeExtraction by the edges they cross, in a form that does not depend on the
 // numbering of the mesh.

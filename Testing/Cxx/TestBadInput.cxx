@@ -1,3 +1,4 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkRidges contributors
 // SPDX-License-Identifier: BSD-3-Clause
 // Missing inputs, missing arrays and bad properties, filter by filter. Meshes that are faulty
 // themselves are in TestBadMeshes.cxx.

@@ -1,3 +1,4 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkRidges contributors
 // SPDX-License-Identifier: BSD-3-Clause
 // Faulty meshes through the whole pipeline: flagged, counted and told in one warning; the rest is
 // computed, and nothing is ever NaN.

@@ -1,3 +1,4 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkRidges contributors
 // SPDX-License-Identifier: BSD-3-Clause
 // Ridges and umbilics come in an order, and ridges in a sense, that depend on positions alone: the
 // same bytes with any number of threads and any numbering, but for the ids themselves.

@@ -1,3 +1,4 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkRidges contributors
 // SPDX-License-Identifier: BSD-3-Clause
 // Every closed manifold mesh that CGAL is distributed with: the indices of the umbilics sum to the
 // Euler characteristic, and every ridge is a loop or ends at umbilics.

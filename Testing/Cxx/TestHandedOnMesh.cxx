@@ -1,3 +1,4 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkRidges contributors
 // SPDX-License-Identifier: BSD-3-Clause
 // Filters hand their mesh on with their output: what comes next must not differ from what a filter
 // gives that has to build the mesh itself, whatever was done to the output in between.

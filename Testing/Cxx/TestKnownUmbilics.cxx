@@ -1,3 +1,4 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkRidges contributors
 // SPDX-License-Identifier: BSD-3-Clause
 // Umbilics and the ridges that meet there on surfaces where both are known: numbers, whatever the
 // place, the numbering, the fineness of the mesh and the size of the patches.

@@ -1,3 +1,4 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkRidges contributors
 // SPDX-License-Identifier: BSD-3-Clause
 // Scanned, designed and dirty meshes, as CGAL is distributed with: whatever is in them, the
 // pipeline runs through, nothing is NaN, and ridges end only where they may.

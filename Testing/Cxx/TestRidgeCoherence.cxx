@@ -1,3 +1,4 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkRidges contributors
 // SPDX-License-Identifier: BSD-3-Clause
 // The table of coherence: it is clean for what the filters make of smooth surfaces, and there is
 // one for whatever else, or an error.

@@ -1,3 +1,4 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkRidges contributors
 // SPDX-License-Identifier: BSD-3-Clause
 // The combinatorial promise of vtkRidgeExtraction: on any mesh and with any values every crossing
 // is in one ridge, and ridges end only on borders, at non-manifold edges and in singular triangles;

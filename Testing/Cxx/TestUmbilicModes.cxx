@@ -1,3 +1,4 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkRidges contributors
 // SPDX-License-Identifier: BSD-3-Clause
 // What Significance, UmbilicJoining and TypeHysteresis do on a noisy mesh, and zones where umbilics
 // mean nothing.

@@ -1,3 +1,4 @@
+# SPDX-FileCopyrightText: Copyright (c) vtkRidges contributors
 # SPDX-License-Identifier: BSD-3-Clause
 """What comes up by itself as the outputs are shown: arrays, colors, legend, sizes; and a picture."""
 

@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: Copyright (c) vtkRidges contributors
+# SPDX-License-Identifier: BSD-3-Clause
 # For the tests beside: runs the program and says what is wrong with its answer.
 
 file(REMOVE_RECURSE "${DIRECTORY}")

@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: Copyright (c) vtkRidges contributors
+# SPDX-License-Identifier: BSD-3-Clause
 include("${CMAKE_CURRENT_LIST_DIR}/RunProgram.cmake")
 
 # find(<option>...) sets what the files hold, `umbilics` and `ridges`, and the number of lines.

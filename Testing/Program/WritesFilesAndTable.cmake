@@ -1,3 +1,5 @@
+# SPDX-FileCopyrightText: Copyright (c) vtkRidges contributors
+# SPDX-License-Identifier: BSD-3-Clause
 include("${CMAKE_CURRENT_LIST_DIR}/RunProgram.cmake")
 
 # The blend, whose umbilics are known. At the default frequency its index sum is exact.

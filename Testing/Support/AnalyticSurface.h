@@ -1,3 +1,4 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkRidges contributors
 // SPDX-License-Identifier: BSD-3-Clause
 // Implicit surfaces f(x, y, z) = 0 with their exact Monge forms (case I of the paper): the ground
 // truth the tests compare with.

@@ -1,3 +1,4 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkRidges contributors
 // SPDX-License-Identifier: BSD-3-Clause
 // Closed surfaces of several kinds, each a family of which a seed draws one. All but the ellipsoid
 // are generic: without any symmetry.

@@ -1,3 +1,4 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkRidges contributors
 // SPDX-License-Identifier: BSD-3-Clause
 // What is known exactly of the umbilics and ridges of the ellipsoid with semi-axes a > b > c along
 // x, y, z.

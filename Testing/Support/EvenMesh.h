@@ -1,3 +1,4 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkRidges contributors
 // SPDX-License-Identifier: BSD-3-Clause
 // Meshes of closed surfaces with even triangles but no regularity, as good real meshes are.
 

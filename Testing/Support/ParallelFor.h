@@ -1,3 +1,4 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkRidges contributors
 // SPDX-License-Identifier: BSD-3-Clause
 #ifndef RIDGES_TESTING_PARALLEL_FOR_H
 #define RIDGES_TESTING_PARALLEL_FOR_H

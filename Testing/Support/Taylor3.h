@@ -1,3 +1,4 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkRidges contributors
 // SPDX-License-Identifier: BSD-3-Clause
 // Truncated Taylor arithmetic: a function of three variables is carried as its polynomial of total
 // degree <= Degree, so that evaluating a formula on it gives the exact jet of the formula.

@@ -1,3 +1,4 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkRidges contributors
 // SPDX-License-Identifier: BSD-3-Clause
 // Meshes for the tests: closed and open, inscribed in analytic surfaces, and what is done to them
 // to test invariance and robustness. All are deterministic.

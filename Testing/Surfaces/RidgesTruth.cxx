@@ -1,3 +1,4 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkRidges contributors
 // SPDX-License-Identifier: BSD-3-Clause
 // Compares the filters, with their default properties, with the exact umbilics and ridges of an
 // analytic surface:

@@ -1,3 +1,4 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkRidges contributors
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * The program vtkridges: a mesh in, its ridges and umbilics out, as files and as a picture.

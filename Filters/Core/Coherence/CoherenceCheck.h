@@ -1,3 +1,4 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkRidges contributors
 // SPDX-License-Identifier: BSD-3-Clause
 #ifndef ridges_CoherenceCheck_h
 #define ridges_CoherenceCheck_h

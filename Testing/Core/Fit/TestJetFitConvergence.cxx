@@ -1,3 +1,4 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkRidges contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
 // Errors of fits of degree 4 on meshes of known surfaces, and how they fall with the edge length h.

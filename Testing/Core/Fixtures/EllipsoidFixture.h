@@ -1,3 +1,4 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkRidges contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
 // The ellipsoid with semi-axes 1, 0.8, 0.6, meshed and fitted at several sizes, and its ridges as

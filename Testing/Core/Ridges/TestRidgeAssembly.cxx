@@ -1,3 +1,4 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkRidges contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
 // Ridges put together: on noise what holds of any data, on the ellipsoid the known ridges.

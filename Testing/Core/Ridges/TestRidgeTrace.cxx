@@ -1,3 +1,4 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkRidges contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
 // Whole ridges as polylines: runs, turning points, hysteresis and canonical form.

@@ -1,3 +1,4 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkRidges contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
 // Which umbilics cancel each other, on made-up charges and weak triangles: no tolerance.

@@ -1,3 +1,4 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkRidges contributors
 // SPDX-License-Identifier: BSD-3-Clause
 // The instruction set that every machine of the architecture has: SSE2, NEON.
 #ifdef __GNUC__

@@ -1,3 +1,4 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkRidges contributors
 // SPDX-License-Identifier: BSD-3-Clause
 // The principal frames of a batch of neighbourhoods. Included by JetBatchKernel.h only.
 #ifndef ridges_JetBatchFrame_h

@@ -1,3 +1,4 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkRidges contributors
 // SPDX-License-Identifier: BSD-3-Clause
 // What FitJetBatch... do, for RIDGES_LANES lanes: see JetBatch.h. Every lane does the same
 // arithmetic whatever its neighbours hold, and rows past its end add zeros, so that the result of a

@@ -1,3 +1,4 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkRidges contributors
 // SPDX-License-Identifier: BSD-3-Clause
 // Sums of monomials over a batch of neighbourhoods. Included by JetBatchKernel.h only.
 #ifndef ridges_JetBatchMoments_h

@@ -1,3 +1,4 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkRidges contributors
 // SPDX-License-Identifier: BSD-3-Clause
 // From fitted polynomials to Monge forms: the formulas of MongeForm.cxx, for a batch. Included by
 // JetBatchKernel.h only.

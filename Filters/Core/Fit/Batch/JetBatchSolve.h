@@ -1,3 +1,4 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkRidges contributors
 // SPDX-License-Identifier: BSD-3-Clause
 // The normal equations of a batch of neighbourhoods. Included by JetBatchKernel.h only.
 #ifndef ridges_JetBatchSolve_h

@@ -1,3 +1,4 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkRidges contributors
 // SPDX-License-Identifier: BSD-3-Clause
 // Points of a mesh, one per lane: see LaneVector.h. Where it is known how, they are loaded whole
 // and transposed in registers, rather than coordinate by coordinate. The fourth coordinate is

@@ -1,3 +1,4 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkRidges contributors
 // SPDX-License-Identifier: BSD-3-Clause
 // Arithmetic on RIDGES_LANES doubles at once. For kernels that are compiled once per instruction
 // set: all is in an unnamed namespace and nothing of the standard library is used, so that no code
