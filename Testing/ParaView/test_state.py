@@ -54,6 +54,9 @@ class TestState(unittest.TestCase):
         view = simple.GetActiveView()
         ridges = simple.GetDisplayProperties(simple.OutputPort(whole, 0), view)
         self.assertEqual(ridges.ColorArrayName[:], ["CELLS", "RidgeType"])
+        self.assertEqual(ridges.Representation, "Lines In Front")
+        umbilics = simple.GetDisplayProperties(simple.OutputPort(whole, 1), view)
+        self.assertEqual(umbilics.Representation, "Balls")
 
 
 if __name__ == "__main__":
