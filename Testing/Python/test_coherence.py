@@ -65,7 +65,7 @@ class TestCoherence(unittest.TestCase):
 
     def test_defaults_and_documentation(self):
         self.assertEqual(vtkRidgeCoherence().GetRightAngleCosine(), 0.001)
-        self.assertIn("coherent", vtkRidgeCoherence.__doc__)
+        self.assertIn("consistent", vtkRidgeCoherence.__doc__)
 
 
 if __name__ == "__main__":
