@@ -4,7 +4,7 @@
 // Euler characteristic, and every ridge is a loop or ends at umbilics.
 
 #include "FilterTestTools.h"
-#include "OffReader.h"
+#include "Reading/MeshReader.h"
 #include "WholeRidges.h"
 
 #include "vtkCellArray.h"
@@ -102,7 +102,7 @@ vtkSmartPointer<vtkPolyData> ReadOrNothing(const std::filesystem::path& file)
 {
   try
   {
-    return program::ReadOff(file.string());
+    return program::ReadMesh(file.string()).mesh.ToPolyData();
   }
   catch (const std::exception&)
   {
@@ -154,7 +154,8 @@ TEST(ClosedMeshes, SmallOnesHaveTheIndexSumOfTheirTopologyAndNoLooseRidges)
     GTEST_SKIP() << "no meshes in " << RIDGES_MESH_DIRECTORY;
   }
   const Found found = CheckClosedMeshes(1, Large);
-  EXPECT_EQ(found.checked, 70);
+  // Without prim.off, which has more faces than it announces.
+  EXPECT_EQ(found.checked, 69);
   EXPECT_EQ(found.opened, 0);
 }
 

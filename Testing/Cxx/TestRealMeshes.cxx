@@ -4,7 +4,7 @@
 // pipeline runs through, nothing is NaN, and ridges end only where they may.
 
 #include "FilterTestTools.h"
-#include "OffReader.h"
+#include "Reading/MeshReader.h"
 #include "RidgeGraph.h"
 
 #include "vtkCellArray.h"
@@ -69,7 +69,7 @@ void ExpectSoundRidges(const Outputs& outputs)
 
 TEST_P(CleanMeshes, AreFittedEverywhere)
 {
-  const Outputs outputs = RunFilters(program::ReadOff(this->Path));
+  const Outputs outputs = RunFilters(program::ReadMesh(this->Path).mesh.ToPolyData());
   EXPECT_EQ(ShareOfInvalidPoints(outputs.fitted), 0.0);
   EXPECT_GT(outputs.ridges->GetNumberOfLines(), 0);
   EXPECT_GT(outputs.umbilics->GetNumberOfPoints(), 0);
@@ -78,12 +78,12 @@ TEST_P(CleanMeshes, AreFittedEverywhere)
 
 TEST_P(RealMeshes, RunThroughAndEndRidgesOnlyWhereTheyMay)
 {
-  ExpectSoundRidges(RunFilters(program::ReadOff(this->Path)));
+  ExpectSoundRidges(RunFilters(program::ReadMesh(this->Path).mesh.ToPolyData()));
 }
 
 TEST_P(UncrossedMeshes, HaveRidgesThatDoNotCross)
 {
-  const Outputs outputs = RunFilters(program::ReadOff(this->Path));
+  const Outputs outputs = RunFilters(program::ReadMesh(this->Path).mesh.ToPolyData());
   ExpectNoRidgesCross(outputs.marked, outputs.ridges);
 }
 

@@ -1,124 +1,156 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkRidges contributors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Console.h"
-#include "MeshReader.h"
+#include "MeshFiles.h"
+#include "Reading/MeshReader.h"
 
-#include "vtkCellArray.h"
-#include "vtkFeatureEdges.h"
+#include "vtkCellData.h"
 #include "vtkNew.h"
-#include "vtkOBJWriter.h"
-#include "vtkPLYWriter.h"
-#include "vtkPolyDataWriter.h"
-#include "vtkRidgeExampleSource.h"
-#include "vtkSTLWriter.h"
+#include "vtkUnsignedCharArray.h"
 #include "vtkXMLPolyDataWriter.h"
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <filesystem>
-#include <string>
+#include <fstream>
+
+using program::PolygonMesh;
 
 namespace
 {
-
-vtkSmartPointer<vtkPolyData> Sphere()
-{
-  vtkNew<vtkRidgeExampleSource> source;
-  source->SetSurfaceToEllipsoid();
-  source->SetFrequency(4);
-  source->Update();
-  return source->GetOutput();
-}
 
 std::string PathOf(const std::string& name)
 {
   return (std::filesystem::path(testing::TempDir()) / name).string();
 }
 
-template <typename Writer>
-void ExpectReadBack(const std::string& name)
+std::string FailureOfReading(const std::string& path)
 {
-  const vtkSmartPointer<vtkPolyData> mesh = Sphere();
-  vtkNew<Writer> writer;
-  writer->SetFileName(PathOf(name).c_str());
-  writer->SetInputData(mesh);
-  writer->Write();
-  const vtkSmartPointer<vtkPolyData> read = program::ReadMesh(PathOf(name));
-  std::filesystem::remove(PathOf(name));
-  EXPECT_EQ(read->GetNumberOfPoints(), mesh->GetNumberOfPoints());
-  EXPECT_EQ(read->GetNumberOfPolys(), mesh->GetNumberOfPolys());
-}
-
-TEST(MeshReader, ReadsByExtensionInAnyCase)
-{
-  ExpectReadBack<vtkOBJWriter>("mesh.obj");
-  ExpectReadBack<vtkPLYWriter>("mesh.ply");
-  ExpectReadBack<vtkSTLWriter>("mesh.STL");
-  ExpectReadBack<vtkPolyDataWriter>("mesh.Vtk");
-  ExpectReadBack<vtkXMLPolyDataWriter>("mesh.vtp");
-}
-
-TEST(MeshReader, RejectsOtherFiles)
-{
-  EXPECT_THROW(program::ReadMesh(PathOf("no-such-file.off")), program::Failure);
-  EXPECT_THROW(program::ReadMesh(testing::TempDir()), program::Failure);
-}
-
-TEST(MeshReader, MergesPointsAtTheSamePlace)
-{
-  // Each triangle with corners of its own.
-  const vtkSmartPointer<vtkPolyData> mesh = Sphere();
-  vtkNew<vtkPoints> points;
-  vtkNew<vtkCellArray> triangles;
-  points->SetDataTypeToDouble();
-  for (vtkIdType i = 0; i < mesh->GetNumberOfPolys(); ++i)
+  try
   {
-    vtkIdType corners[3];
-    for (int j = 0; j < 3; ++j)
+    program::ReadMesh(path);
+  }
+  catch (const program::Failure& failure)
+  {
+    return failure.what();
+  }
+  return "none";
+}
+
+TEST(MeshReader, ReadsEveryFormat)
+{
+  const PolygonMesh mesh = Ellipsoid(4);
+  for (const MeshBytes& file : WriteInAllFormats(mesh))
+  {
+    SCOPED_TRACE(file.name);
+    const PolygonMesh read = program::ParseMesh(file.bytes, file.name).mesh;
+    // In STL each triangle has points of its own.
+    const bool isStl = file.name.find(".stl") != std::string::npos;
+    const PolygonMesh& expected = isStl ? Soup(mesh) : mesh;
+    EXPECT_EQ(read.corners, expected.corners);
+    EXPECT_EQ(read.faceEnds, expected.faceEnds);
+    ASSERT_EQ(read.points.size(), expected.points.size());
+    // Legacy files of VTK have 11 digits, and binary STL has single precision.
+    const double tolerance = file.name == "binary.stl" ? 1e-7
+      : file.name.find("ascii") == 0                   ? 1e-10
+                                                       : 0.0;
+    for (std::size_t i = 0; i < expected.points.size(); ++i)
     {
-      corners[j] = points->InsertNextPoint(mesh->GetPoint(mesh->GetCell(i)->GetPointId(j)));
+      for (int j = 0; j < 3; ++j)
+      {
+        EXPECT_LE(std::abs(read.points[i][j] - expected.points[i][j]), tolerance) << "point " << i;
+      }
     }
-    triangles->InsertNextCell(3, corners);
+    EXPECT_EQ(read.isSinglePrecision, file.name == "binary.stl");
   }
-  vtkNew<vtkPolyData> soup;
-  soup->SetPoints(points);
-  soup->SetPolys(triangles);
-
-  program::Mending mending;
-  EXPECT_EQ(program::Mend(soup, mending)->GetNumberOfPoints(), 3 * mesh->GetNumberOfPolys());
-  mending.merge = true;
-  const vtkSmartPointer<vtkPolyData> merged = program::Mend(soup, mending);
-  EXPECT_EQ(merged->GetNumberOfPoints(), mesh->GetNumberOfPoints());
-  EXPECT_EQ(merged->GetNumberOfPolys(), mesh->GetNumberOfPolys());
 }
 
-TEST(MeshReader, OrientsTrianglesOutward)
+TEST(MeshReader, GoesByTheExtensionInAnyCase)
 {
-  const vtkSmartPointer<vtkPolyData> mesh = Sphere();
-  vtkNew<vtkPolyData> mixed;
-  mixed->DeepCopy(mesh);
-  for (vtkIdType i = 0; i < mixed->GetNumberOfPolys(); i += 3)
+  const std::string path = PathOf("Mesh.Off");
+  std::ofstream(path) << "OFF 3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
+  EXPECT_EQ(program::ReadMesh(path).mesh.NumberOfFaces(), 1U);
+  std::filesystem::remove(path);
+}
+
+TEST(MeshReader, NamesTheReasonWhyAFileCannotBeRead)
+{
+  EXPECT_EQ(
+    FailureOfReading(PathOf("none.off")), PathOf("none.off") + " does not exist : check the path");
+  EXPECT_NE(FailureOfReading(testing::TempDir()).find("is a directory"), std::string::npos);
+  for (const char* extension : { "off", "obj", "ply", "stl", "vtk", "vtp" })
   {
-    mixed->ReverseCell(i);
+    const std::string path = PathOf(std::string("empty.") + extension);
+    std::ofstream{ path };
+    EXPECT_EQ(FailureOfReading(path), path + " is empty : give a mesh");
+    std::filesystem::remove(path);
   }
-  program::Mending mending;
-  mending.orient = true;
-  const vtkSmartPointer<vtkPolyData> oriented = program::Mend(mixed, mending);
-  ASSERT_EQ(oriented->GetNumberOfPolys(), mesh->GetNumberOfPolys());
-  for (vtkIdType i = 0; i < oriented->GetNumberOfPolys(); ++i)
+}
+
+TEST(MeshReader, NamesTheReasonForTextAndForBytesThatAreNoMesh)
+{
+  const std::string bytes("\x7f\x45LF\x01\0\0\0\0\xff\x80 some bytes\n that are no mesh\n", 40);
+  const std::pair<const char*, const char*> expected[] = { { "m.off", "not an OFF file" },
+    { "m.ply", "not a PLY file" }, { "m.stl", "not an STL file" },
+    { "m.vtk", "not a file in VTK's legacy format" }, { "m.vtp", "not a file in VTK's XML format" },
+    { "m.txt", "unknown extension" } };
+  for (const auto& [name, reason] : expected)
   {
-    double a[3];
-    double b[3];
-    double c[3];
-    vtkCell* triangle = oriented->GetCell(i);
-    oriented->GetPoint(triangle->GetPointId(0), a);
-    oriented->GetPoint(triangle->GetPointId(1), b);
-    oriented->GetPoint(triangle->GetPointId(2), c);
-    // The origin is inside of the convex surface: outward is a positive volume.
-    const double volume = a[0] * (b[1] * c[2] - b[2] * c[1]) + a[1] * (b[2] * c[0] - b[0] * c[2]) +
-      a[2] * (b[0] * c[1] - b[1] * c[0]);
-    EXPECT_GT(volume, 0.0) << "triangle " << i;
+    EXPECT_NE(FailureOf(bytes, name).find(reason), std::string::npos) << FailureOf(bytes, name);
+    EXPECT_NE(FailureOf("a letter\nto a friend\n", name).find(reason), std::string::npos)
+      << FailureOf("a letter\nto a friend\n", name);
   }
+  EXPECT_NE(FailureOf(bytes, "m.obj").find("zero bytes"), std::string::npos);
+  EXPECT_NE(FailureOf("a letter\nto a friend\n", "m.obj").find("no points"), std::string::npos);
+  EXPECT_NE(
+    FailureOf("OFF 3 0 0\n0 0 0\n1 0 0\n0 1 0\n", "m.off").find("no triangles"), std::string::npos);
+}
+
+TEST(MeshReader, AcceptsAByteOrderMarkAndEitherLineEndInTextFormats)
+{
+  const PolygonMesh mesh = Ellipsoid(2);
+  for (const MeshBytes& file : WriteInAllFormats(mesh))
+  {
+    const bool isText =
+      file.name == "mesh.off" || file.name == "mesh.obj" || file.name.find("ascii") == 0;
+    if (!isText || file.name == "ascii.vtp")
+    {
+      continue;
+    }
+    SCOPED_TRACE(file.name);
+    std::string returns = file.bytes;
+    std::string both;
+    for (char& c : returns)
+    {
+      both += c == '\n' ? "\r\n" : std::string(1, c);
+      c = c == '\n' ? '\r' : c;
+    }
+    for (const std::string& variant : { "\xef\xbb\xbf" + file.bytes, both, returns })
+    {
+      EXPECT_EQ(FailureOf(variant, file.name), "none");
+      EXPECT_EQ(program::ParseMesh(variant, file.name).mesh.NumberOfFaces(), mesh.NumberOfFaces());
+    }
+  }
+}
+
+TEST(MeshReader, LeavesOutGhostCells)
+{
+  vtkNew<vtkPolyData> data;
+  data->DeepCopy(Ellipsoid(2).ToPolyData());
+  vtkNew<vtkUnsignedCharArray> ghosts;
+  ghosts->SetName(vtkDataSetAttributes::GhostArrayName());
+  ghosts->SetNumberOfValues(data->GetNumberOfCells());
+  ghosts->FillValue(0);
+  ghosts->SetValue(3, vtkDataSetAttributes::DUPLICATECELL);
+  ghosts->SetValue(5, vtkDataSetAttributes::HIDDENCELL);
+  data->GetCellData()->AddArray(ghosts);
+  vtkNew<vtkXMLPolyDataWriter> writer;
+  writer->SetInputData(data);
+  writer->WriteToOutputStringOn();
+  writer->Write();
+  EXPECT_EQ(program::ParseMesh(writer->GetOutputString(), "m.vtp").mesh.NumberOfFaces(),
+    Ellipsoid(2).NumberOfFaces() - 2);
 }
 
 } // namespace

@@ -1,11 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkRidges contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Console.h"
-#include "OffReader.h"
-
-#include "vtkCellArray.h"
-#include "vtkIdList.h"
-#include "vtkNew.h"
+#include "MeshFiles.h"
+#include "Reading/OffReader.h"
 
 #include <gtest/gtest.h>
 
@@ -14,38 +10,20 @@
 namespace
 {
 
-vtkSmartPointer<vtkPolyData> Parse(const std::string& text)
+program::PolygonMesh Parse(const std::string& text)
 {
   return program::ParseOff(text, "m.off");
-}
-
-std::string FailureOf(const std::string& text)
-{
-  try
-  {
-    Parse(text);
-  }
-  catch (const program::Failure& failure)
-  {
-    return failure.what();
-  }
-  return "no failure";
 }
 
 void ExpectTriangle(const std::string& text)
 {
   SCOPED_TRACE(text);
-  const vtkSmartPointer<vtkPolyData> mesh = Parse(text);
-  ASSERT_EQ(mesh->GetNumberOfPoints(), 3);
-  ASSERT_EQ(mesh->GetNumberOfPolys(), 1);
-  EXPECT_EQ(mesh->GetPoint(1)[0], 1.5);
-  EXPECT_EQ(mesh->GetPoint(2)[1], -2e-3);
-  vtkNew<vtkIdList> corners;
-  mesh->GetPolys()->GetCellAtId(0, corners);
-  ASSERT_EQ(corners->GetNumberOfIds(), 3);
-  EXPECT_EQ(corners->GetId(0), 2);
-  EXPECT_EQ(corners->GetId(1), 0);
-  EXPECT_EQ(corners->GetId(2), 1);
+  const program::PolygonMesh mesh = Parse(text);
+  ASSERT_EQ(mesh.points.size(), 3U);
+  EXPECT_EQ(mesh.points[1][0], 1.5);
+  EXPECT_EQ(mesh.points[2][1], -2e-3);
+  EXPECT_EQ(mesh.corners, (std::vector<vtkIdType>{ 2, 0, 1 }));
+  EXPECT_EQ(mesh.faceEnds, (std::vector<std::size_t>{ 3 }));
 }
 
 TEST(OffReader, ReadsAllVariantsOfTheFormat)
@@ -65,56 +43,54 @@ TEST(OffReader, ReadsAllVariantsOfTheFormat)
 
 TEST(OffReader, ReadsFacesOfAnySize)
 {
-  const vtkSmartPointer<vtkPolyData> mesh = Parse(
+  const program::PolygonMesh mesh = Parse(
     "OFF\n5 5 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n0 2 0\n4 0 1 2 3\n3 0 1 2\n5 0 1 2 4 3\n2 0 1\n1 0\n");
-  EXPECT_EQ(mesh->GetNumberOfPolys(), 3);
-  EXPECT_EQ(mesh->GetPolys()->GetCellSize(0), 4);
-  EXPECT_EQ(mesh->GetPolys()->GetCellSize(2), 5);
+  EXPECT_EQ(mesh.faceEnds, (std::vector<std::size_t>{ 4, 7, 12 }));
 }
 
 TEST(OffReader, KeepsDoublePrecision)
 {
-  const vtkSmartPointer<vtkPolyData> mesh = Parse("OFF 1 0 0\n0.1 1e300 -123456789.123456789\n");
-  EXPECT_EQ(mesh->GetPoint(0)[0], 0.1);
-  EXPECT_EQ(mesh->GetPoint(0)[1], 1e300);
-  EXPECT_EQ(mesh->GetPoint(0)[2], -123456789.123456789);
+  const program::PolygonMesh mesh = Parse("OFF 1 0 0\n0.1 1e300 -123456789.123456789\n");
+  EXPECT_EQ(mesh.points[0][0], 0.1);
+  EXPECT_EQ(mesh.points[0][1], 1e300);
+  EXPECT_EQ(mesh.points[0][2], -123456789.123456789);
 }
 
 TEST(OffReader, NamesFileAndLineOfAnError)
 {
-  EXPECT_EQ(FailureOf("OFF\n# comment\n1 0 0\n0 zero 0\n"),
+  EXPECT_EQ(FailureOf("OFF\n# comment\n1 0 0\n0 zero 0\n", "m.off"),
     "m.off, line 4: a vertex needs three numbers : correct the line");
 }
 
 TEST(OffReader, RejectsInvalidFiles)
 {
   const std::pair<const char*, const char*> faults[] = {
-    { "", "line 0: the file is empty" },
-    { "# nothing\n", "the file is empty" },
+    { "# nothing\n", "line 1: the file has nothing but comments" },
     { "ply\n", "line 1: this is not an OFF file" },
-    { "nOFF\n4 1 1 0\n", "other than three dimensions" },
-    { "4OFF\n1 1 0\n", "other than three dimensions" },
+    { "nOFF\n4 1 1 0\n", "not in three dimensions" },
+    { "4OFF\n1 1 0\n", "not in three dimensions" },
     { "OFF BINARY\n1 1 0\n", "binary OFF" },
     { "OFF\n", "ends after its header" },
-    { "OFF\nthree 1 0\n", "line 2: the number of vertices was expected" },
-    { "OFF\n-3 1 0\n", "line 2: the number of vertices was expected" },
-    { "OFF\n3\n", "the number of faces was expected" },
-    { "OFF\n3 1.5 0\n", "the number of faces was expected" },
-    { "OFF\n99999999999999 1 0\n", "do not fit in a file" },
+    { "OFF\nthree 1 0\n", "line 2: the number of vertices is missing" },
+    { "OFF\n-3 1 0\n", "line 2: the number of vertices is missing" },
+    { "OFF\n3\n", "the number of faces is missing" },
+    { "OFF\n3 1.5 0\n", "the number of faces is missing" },
+    { "OFF\n99999999999999 1 0\n", "the file ends after 0 of 99999999999999 vertices" },
     { "OFF\n3 1 0\n0 0 0\n1 0 0\n", "the file ends after 2 of 3 vertices" },
     { "OFF\n1 1 0\n0 0\n0\n", "line 3: a vertex needs three numbers" },
     { "OFF\n1 1 0\n0 0 0x\n", "line 3: a vertex needs three numbers" },
     { "OFF\n1 1 0\n0 0 0\n", "the file ends after 0 of 1 faces" },
-    { "OFF\n1 1 0\n0 0 0\nx\n", "line 4: a face has to begin with its number of corners" },
-    { "OFF\n1 1 0\n0 0 0\n-3 0 0 0\n", "line 4: a face has to begin" },
+    { "OFF\n1 1 0\n0 0 0\nx\n", "line 4: a face must begin with its number of corners" },
+    { "OFF\n1 1 0\n0 0 0\n-3 0 0 0\n", "line 4: a face must begin" },
     { "OFF\n1 1 0\n0 0 0\n3 0 0\n0\n", "line 4: a face of 3 corners needs as many" },
     { "OFF\n1 1 0\n0 0 0\n3 0 0 1\n", "line 4: there is no vertex 1" },
     { "OFF\n1 1 0\n0 0 0\n3 0 0 -1\n", "line 4: there is no vertex -1" },
+    { "OFF\n1 1 0\n0 0 0\n3 0 0 0\n3 0 0 0\n", "line 5: the file goes on after its 1 faces" },
   };
   for (const auto& [text, expected] : faults)
   {
-    EXPECT_NE(FailureOf(text).find(expected), std::string::npos)
-      << text << "\nfails with: " << FailureOf(text);
+    EXPECT_NE(FailureOf(text, "m.off").find(expected), std::string::npos)
+      << text << "\nfails with: " << FailureOf(text, "m.off");
   }
 }
 

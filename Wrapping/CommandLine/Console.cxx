@@ -193,7 +193,7 @@ std::string PlainMessage(const std::string& message)
     const bool space = c == ' ' || c == '\n' || c == '\r' || c == '\t';
     if (!space)
     {
-      line += c;
+      line += c >= '!' && c <= '~' ? c : '?';
     }
     else if (!line.empty() && line.back() != ' ')
     {
@@ -214,10 +214,9 @@ Stages::Stages(bool quiet)
   InstalledLog();
 }
 
-void Stages::Run(const std::string& name, const std::string& advice, vtkAlgorithm* algorithm,
-  const std::function<void()>& job)
+void Stages::Time(
+  const std::string& name, vtkAlgorithm* algorithm, const std::function<void()>& job)
 {
-  MessageLog* log = InstalledLog();
   const auto begin = std::chrono::steady_clock::now();
   if (this->ShowProgress)
   {
@@ -230,19 +229,43 @@ void Stages::Run(const std::string& name, const std::string& advice, vtkAlgorith
   }
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
   this->Durations.emplace_back(name, seconds.count());
+}
 
+void Stages::Run(const std::string& name, const std::string& advice, vtkAlgorithm* algorithm,
+  const std::function<void()>& job)
+{
+  MessageLog* log = InstalledLog();
+  this->Time(name, algorithm, job);
   const std::vector<std::string> errors = log->TakeErrors();
   const std::vector<std::string> warnings = log->TakeWarnings();
   if (!errors.empty())
   {
     throw Failure(name + " failed: " + InOptions(Cause(errors, warnings)), advice);
   }
+  for (const std::string& warning : warnings)
+  {
+    this->Warn(InOptions(warning), advice);
+  }
+}
+
+void Stages::RunStrictly(
+  const std::string& name, const std::string& advice, const std::function<void()>& job)
+{
+  MessageLog* log = InstalledLog();
+  this->Time(name, nullptr, job);
+  const std::vector<std::string> errors = log->TakeErrors();
+  const std::vector<std::string> warnings = log->TakeWarnings();
+  if (!errors.empty() || !warnings.empty())
+  {
+    throw Failure(name + " failed: " + Cause(errors, warnings), advice);
+  }
+}
+
+void Stages::Warn(const std::string& warning, const std::string& advice) const
+{
   if (!this->Quiet)
   {
-    for (const std::string& warning : warnings)
-    {
-      std::cerr << "vtkridges: warning, " << InOptions(warning) << " : " << advice << "\n";
-    }
+    std::cerr << "vtkridges: warning, " << warning << " : " << advice << "\n";
   }
 }
 

@@ -52,10 +52,19 @@ public:
   void Run(const std::string& name, const std::string& advice, vtkAlgorithm* algorithm,
     const std::function<void()>& job);
 
+  /// The same, but a warning ends the job too.
+  void RunStrictly(
+    const std::string& name, const std::string& advice, const std::function<void()>& job);
+
+  /// Prints a warning of the program itself.
+  void Warn(const std::string& warning, const std::string& advice) const;
+
   /// Name and seconds of the stages run so far.
   const std::vector<Duration>& GetDurations() const { return this->Durations; }
 
 private:
+  void Time(const std::string& name, vtkAlgorithm* algorithm, const std::function<void()>& job);
+
   bool Quiet;
   bool ShowProgress;
   std::vector<Duration> Durations;

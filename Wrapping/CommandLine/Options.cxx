@@ -4,6 +4,7 @@
 
 #include "HelpFormatter.h"
 #include "OptionGroup.h"
+#include "Reading/MeshReader.h"
 
 #include "vtkVersion.h"
 
@@ -38,12 +39,24 @@ void AddInput(CLI::App& app, Options& options, vtkRidgeExampleSource* example)
   CLI::Option* mesh = group.Text("MESH", "FILE", options.mesh,
     std::string("mesh to read (") + ReadableExtensions() +
       "); without one, an example surface is taken");
-  group.Flag(
-    "--merge", [&](bool on) { options.meshMending.merge = on; },
-    "join points of MESH that are at the same place, as at the seams of many OBJ files");
-  group.Flag(
-    "--orient", [&](bool on) { options.meshMending.orient = on; },
-    "give the triangles of MESH one orientation, outward if it is closed");
+  CLI::Option* merge = group
+                         .Flag(
+                           "--merge", [&options](bool) { options.repair.joining = Joining::All; },
+                           "join all points of MESH that are at the same place; without this, "
+                           "those on its borders are "
+                           "joined, as along seams")
+                         ->needs(mesh);
+  group
+    .Flag(
+      "--no-merge", [&options](bool) { options.repair.joining = Joining::None; },
+      "join no points of MESH")
+    ->needs(mesh)
+    ->excludes(merge);
+  group
+    .Flag(
+      "--orient", [&options](bool on) { options.repair.orient = on; },
+      "give neighbouring faces of MESH the same orientation, outward on closed parts")
+    ->needs(mesh);
   group
     .Choice(
       "--surface",

@@ -3,8 +3,8 @@
 #ifndef Options_h
 #define Options_h
 
-#include "MeshReader.h"
 #include "Picture.h"
+#include "Repair/RepairMesh.h"
 
 #include "vtkJetFitting.h"
 #include "vtkNew.h"
@@ -35,7 +35,7 @@ struct Filters
 struct Options
 {
   std::string mesh; ///< Empty: the example surface.
-  Mending meshMending;
+  RepairOptions repair;
   std::string output; ///< Path and beginning of the names of the files written.
   bool writeMesh = false;
   bool check = false;

@@ -99,6 +99,12 @@ void PrintMesh(std::ostream& os, const Results& results, vtkIdType borderEdges)
       Count(results.mesh->GetNumberOfPolys(), "triangle") + ", " +
       (borderEdges == 0 ? std::string("closed")
                         : "with a border of " + Count(borderEdges, "edge")));
+  if (results.joinedPoints > 0)
+  {
+    const auto joined = static_cast<vtkIdType>(results.joinedPoints);
+    PrintRow(os, "joined",
+      Count(joined, "point") + " at the same place as others (--no-merge keeps them apart)");
+  }
   vtkDataArray* status = results.mesh->GetPointData()->GetArray(names::FitStatus);
   const std::pair<int, const char*> bits[] = {
     { vtkJetFitting::FIT_BOUNDARY, "on the border" },

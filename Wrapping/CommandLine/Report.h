@@ -22,8 +22,9 @@ struct Results
   vtkPolyData* mesh;     ///< With the arrays of the jet fitting and the umbilics.
   vtkPolyData* umbilics; ///< A vertex each.
   vtkPolyData* allRidges;
-  vtkPolyData* ridges; ///< Those that the filter kept.
-  vtkTable* checks;    ///< Of all ridges, or null.
+  vtkPolyData* ridges;      ///< Those that the filter kept.
+  vtkTable* checks;         ///< Of all ridges, or null.
+  std::size_t joinedPoints; ///< Points of the file that others at their place stand for.
 };
 
 /// Prints the table at the end of the job.

@@ -6,15 +6,20 @@
 
 #include "CheckTable.h"
 #include "Console.h"
-#include "MeshReader.h"
 #include "Options.h"
+#include "OutputFiles.h"
 #include "Picture.h"
+#include "Reading/MeshReader.h"
+#include "Repair/CoordinateGrain.h"
+#include "Repair/RepairMesh.h"
 #include "Report.h"
 
 #include "vtkPNGWriter.h"
 #include "vtkSMPTools.h"
+#include "vtkUnsignedCharArray.h"
 #include "vtkXMLPolyDataWriter.h"
 
+#include <csignal>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -26,9 +31,9 @@ namespace
 using namespace program;
 namespace fs = std::filesystem;
 
-struct OutputFiles
+struct FileNames
 {
-  explicit OutputFiles(const std::string& prefix)
+  explicit FileNames(const std::string& prefix)
     : ridges(prefix + "-ridges.vtp")
     , umbilics(prefix + "-umbilics.vtp")
     , mesh(prefix + "-mesh.vtp")
@@ -44,7 +49,7 @@ struct OutputFiles
 
 std::vector<std::string> FilesToWrite(const Options& options)
 {
-  const OutputFiles files(options.output);
+  const FileNames files(options.output);
   std::vector<std::string> list{ files.ridges, files.umbilics };
   if (options.writeMesh)
   {
@@ -72,41 +77,109 @@ void CheckOutput(const Options& options)
     {
       throw Failure(name + " would overwrite the mesh", "change --output");
     }
-    const bool existed = fs::exists(name, error);
-    if (fs::is_directory(name, error) || !std::ofstream(name, std::ios::app))
-    {
-      throw Failure(name + " cannot be written", "check the permissions, or change --output");
-    }
-    if (!existed)
-    {
-      fs::remove(name, error);
-    }
+    CheckWritable(name);
   }
 }
 
-/// Encoded, as ParaView 5.11 with a recent Expat cannot read what is appended raw, the default.
-vtkNew<vtkXMLPolyDataWriter> MakeDataWriter()
+/// Through a string: VTK's writer crashes on a full disk.
+void AddData(OutputFiles& files, vtkPolyData* data, const std::string& name)
 {
   vtkNew<vtkXMLPolyDataWriter> writer;
+  // Encoded, as ParaView 5.11 with a recent Expat cannot read what is appended raw, the default.
   writer->SetDataModeToBinary();
-  return writer;
-}
-
-template <typename Writer>
-void WriteBy(Writer* writer, vtkDataObject* data, const std::string& name)
-{
-  writer->SetFileName(name.c_str());
+  writer->WriteToOutputStringOn();
   writer->SetInputDataObject(data);
   writer->Write();
-  if (writer->GetErrorCode() != 0)
+  const std::string bytes = writer->GetOutputString();
+  files.Add(name, bytes.data(), bytes.size());
+}
+
+void AddPicture(OutputFiles& files, vtkImageData* picture, const std::string& name)
+{
+  vtkNew<vtkPNGWriter> writer;
+  writer->SetCompressionLevel(9);
+  writer->WriteToMemoryOn();
+  writer->SetInputData(picture);
+  writer->Write();
+  vtkUnsignedCharArray* bytes = writer->GetResult();
+  files.Add(name, reinterpret_cast<const char*>(bytes->GetPointer(0)),
+    static_cast<std::size_t>(bytes->GetNumberOfValues()));
+}
+
+void WriteFiles(const Options& options, const Results& results, vtkImageData* picture)
+{
+  const FileNames names(options.output);
+  OutputFiles files;
+  AddData(files, results.ridges, names.ridges);
+  AddData(files, results.umbilics, names.umbilics);
+  if (options.writeMesh)
   {
-    throw Failure(name + " cannot be written", "check the disk and the permissions");
+    AddData(files, results.mesh, names.mesh);
   }
+  if (picture)
+  {
+    AddPicture(files, picture, names.picture);
+  }
+  files.Complete();
+}
+
+void WarnOfRepair(const MeshFile& file, const RepairReport& report, const Stages& stages)
+{
+  const auto count = [](std::size_t number, const char* one, const char* more)
+  { return std::to_string(number) + " " + (number == 1 ? one : more); };
+  const InvalidFaces& removed = report.removed;
+  if (removed.collapsed > 0)
+  {
+    stages.Warn(count(removed.collapsed, "face has", "faces have") +
+        " fewer than three different corners and are left out",
+      "check the mesh");
+  }
+  if (removed.notFinite > 0)
+  {
+    stages.Warn(count(removed.notFinite, "face has a corner", "faces have corners") +
+        " whose coordinates are not finite, and are left out",
+      "check the mesh");
+  }
+  const std::size_t odd = report.orientation.oddEdges;
+  if (odd > 0)
+  {
+    stages.Warn("the surface cannot be oriented, as it is one-sided like a Moebius strip: the "
+                "faces at " +
+        count(odd, "edge", "edges") + " keep opposite orientations",
+      "cut it there");
+  }
+  const std::string grain = WarnOfGrain(file.mesh);
+  if (!grain.empty())
+  {
+    stages.Warn(grain,
+      "store the coordinates in double precision, or nearer to the origin; --neighborhood "
+      "automatic "
+      "reduces the effect");
+  }
+}
+
+vtkSmartPointer<vtkPolyData> ReadAndRepair(
+  const Options& options, Stages& stages, std::size_t& joinedPoints)
+{
+  MeshFile file;
+  RepairReport report;
+  stages.RunStrictly("read", "check " + options.mesh,
+    [&file, &report, &options]
+    {
+      file = ReadMesh(options.mesh);
+      RepairOptions repair = options.repair;
+      const bool isSoup = !file.hasNeighbours && repair.joining == Joining::Borders;
+      repair.joining = isSoup ? Joining::All : repair.joining;
+      report = RepairMesh(file.mesh, repair);
+    });
+  WarnOfRepair(file, report, stages);
+  // In STL all are: that says nothing.
+  joinedPoints = file.hasNeighbours ? report.joinedPoints : 0;
+  return file.data && !report.HasChanged() ? file.data : file.mesh.ToPolyData();
 }
 
 ExitCode Run(const Options& options, Filters& filters)
 {
-  const OutputFiles files(options.output);
   CheckOutput(options);
   if (!options.noPicture)
   {
@@ -121,6 +194,7 @@ ExitCode Run(const Options& options, Filters& filters)
   const std::string seeHelp = "see --monge-order and the options of this stage in vtkridges --help";
   const std::string seeFitting = "see --merge, --orient and Jet fitting in vtkridges --help";
   vtkSmartPointer<vtkPolyData> mesh;
+  std::size_t joinedPoints = 0;
   if (options.mesh.empty())
   {
     stages.Run("read", seeHelp, filters.example, [&] { filters.example->Update(); });
@@ -128,12 +202,7 @@ ExitCode Run(const Options& options, Filters& filters)
   }
   else
   {
-    stages.Run("read", "check " + options.mesh, nullptr,
-      [&] { mesh = Mend(ReadMesh(options.mesh), options.meshMending); });
-    if (mesh->GetNumberOfPolys() + mesh->GetNumberOfStrips() == 0)
-    {
-      throw Failure(options.mesh + " has no triangles", "give the mesh of a surface");
-    }
+    mesh = ReadAndRepair(options, stages, joinedPoints);
     filters.jetFitting->SetInputData(mesh);
   }
   filters.umbilics->SetInputConnection(filters.jetFitting->GetOutputPort());
@@ -160,7 +229,7 @@ ExitCode Run(const Options& options, Filters& filters)
   const Results results{ options.mesh.empty() ? "example" : options.mesh,
     filters.umbilics->GetOutput(), vtkPolyData::SafeDownCast(filters.umbilics->GetOutput(1)),
     filters.ridges->GetOutput(), filters.sharpness->GetOutput(),
-    options.check ? filters.coherence->GetOutput() : nullptr };
+    options.check ? filters.coherence->GetOutput() : nullptr, joinedPoints };
 
   vtkSmartPointer<vtkImageData> picture;
   if (!options.noPicture)
@@ -179,21 +248,7 @@ ExitCode Run(const Options& options, Filters& filters)
       });
   }
   stages.Run("write", "check the disk and the permissions", nullptr,
-    [&]
-    {
-      WriteBy(MakeDataWriter().Get(), results.ridges, files.ridges);
-      WriteBy(MakeDataWriter().Get(), results.umbilics, files.umbilics);
-      if (options.writeMesh)
-      {
-        WriteBy(MakeDataWriter().Get(), results.mesh, files.mesh);
-      }
-      if (picture)
-      {
-        vtkNew<vtkPNGWriter> writer;
-        writer->SetCompressionLevel(9);
-        WriteBy(writer.Get(), picture, files.picture);
-      }
-    });
+    [&options, &results, &picture] { WriteFiles(options, results, picture); });
   if (!options.quiet)
   {
     PrintReport(std::cout, results, stages.GetDurations(), FilesToWrite(options));
@@ -212,6 +267,10 @@ ExitCode Run(const Options& options, Filters& filters)
 
 int main(int argc, char* argv[])
 {
+#ifdef SIGXFSZ
+  // A file that grows beyond a limit is an error of the file, not the end of the program.
+  std::signal(SIGXFSZ, SIG_IGN);
+#endif
   Filters filters;
   Options options;
   if (const std::optional<int> exitCode = ParseCommandLine(argc, argv, options, filters))

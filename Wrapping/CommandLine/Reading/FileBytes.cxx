@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkRidges contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Reading/FileBytes.h"
+
+#include "Console.h"
+
+#include <filesystem>
+#include <fstream>
+
+namespace program
+{
+namespace
+{
+
+void CheckIsFile(const std::string& fileName)
+{
+  std::error_code error;
+  const std::filesystem::file_status status = std::filesystem::status(fileName, error);
+  if (!std::filesystem::exists(status))
+  {
+    throw Failure(fileName + " does not exist", "check the path");
+  }
+  if (std::filesystem::is_directory(status))
+  {
+    throw Failure(fileName + " is a directory", "give a mesh");
+  }
+}
+
+} // namespace
+
+std::string ReadBytes(const std::string& fileName)
+{
+  CheckIsFile(fileName);
+  std::ifstream file(fileName, std::ios::binary);
+  if (!file)
+  {
+    throw Failure(fileName + " cannot be opened", "check its permissions");
+  }
+  std::string bytes;
+  constexpr std::size_t block = 1 << 20;
+  do
+  {
+    const std::size_t size = bytes.size();
+    bytes.resize(size + block);
+    file.read(bytes.data() + size, block);
+    bytes.resize(size + static_cast<std::size_t>(file.gcount()));
+  } while (file);
+  if (!file.eof())
+  {
+    throw Failure(fileName + " cannot be read to its end", "check the disk");
+  }
+  if (bytes.empty())
+  {
+    throw Failure(fileName + " is empty", "give a mesh");
+  }
+  return bytes;
+}
+
+} // namespace program

@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkRidges contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Reading/MeshReader.h"
+
+#include "Console.h"
+#include "Reading/FileBytes.h"
+#include "Reading/LegacyVtkReader.h"
+#include "Reading/ObjReader.h"
+#include "Reading/OffReader.h"
+#include "Reading/PlyReader.h"
+#include "Reading/StlReader.h"
+#include "Reading/XmlVtkReader.h"
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+
+namespace program
+{
+namespace
+{
+
+std::string ExtensionOf(const std::string& fileName)
+{
+  std::string extension = std::filesystem::path(fileName).extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return extension;
+}
+
+MeshFile ParseByExtension(const std::string& bytes, const std::string& fileName)
+{
+  const std::string extension = ExtensionOf(fileName);
+  if (extension == ".off")
+  {
+    return { ParseOff(bytes, fileName), nullptr };
+  }
+  if (extension == ".ply")
+  {
+    return { ParsePly(bytes, fileName), nullptr };
+  }
+  if (extension == ".obj")
+  {
+    return { ParseObj(bytes, fileName), nullptr };
+  }
+  if (extension == ".stl")
+  {
+    return { ParseStl(bytes, fileName), nullptr, false };
+  }
+  if (extension == ".vtk")
+  {
+    return { ParseLegacyVtk(bytes, fileName), nullptr };
+  }
+  if (extension == ".vtp")
+  {
+    const vtkSmartPointer<vtkPolyData> data = ParseXmlVtk(bytes, fileName);
+    return { ToPolygonMesh(data, fileName), data };
+  }
+  throw Failure(
+    fileName + " has an unknown extension", std::string("give one of ") + ReadableExtensions());
+}
+
+} // namespace
+
+const char* ReadableExtensions()
+{
+  return ".off, .ply, .obj, .stl, .vtp, .vtk";
+}
+
+MeshFile ParseMesh(const std::string& bytes, const std::string& fileName)
+{
+  MeshFile file = ParseByExtension(bytes, fileName);
+  if (file.mesh.NumberOfFaces() == 0)
+  {
+    throw Failure(fileName + (file.mesh.points.empty() ? " has no points" : " has no triangles"),
+      "give the mesh of a surface");
+  }
+  return file;
+}
+
+MeshFile ReadMesh(const std::string& fileName)
+{
+  return ParseMesh(ReadBytes(fileName), fileName);
+}
+
+} // namespace program
