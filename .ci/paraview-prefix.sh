@@ -39,6 +39,10 @@ if [ ! -e "$prefix/complete" ]; then
       ln -sf "$file" ".$file"
     fi
   done
+  # find_package(ParaView) looks for modules without the suffix that Debian 13 gives them.
+  find usr/lib/python3/dist-packages -name '*.cpython-*.so' | while read -r file; do
+    ln -s "$(basename "$file")" "${file%.cpython-*}.so"
+  done
   mkdir -p usr/include
   ln -s /usr/include/paraview-* usr/include/
   touch "$prefix/complete"
