@@ -33,7 +33,7 @@ fi
 
 output=$root/build/output
 mkdir -p "$output"
-xvfb-run -a "$root/build/bin/vtkridges" "${mesh[@]}" --output "$output/$name" "$@"
+xvfb-run -a -s "-screen 0 1280x1024x24 -noreset" "$root/build/bin/vtkridges" "${mesh[@]}" --output "$output/$name" "$@"
 
 echo "Written:"
 ls -1 "$output/$name"-ridges.vtp "$output/$name"-umbilics.vtp "$output/$name".png
