@@ -38,7 +38,7 @@ find(${blend} --umbilic-method minima)
 expect("${output}" "umbilics \\+1/2: 6, -1/2: 2")
 expect_that(NOT umbilics STREQUAL default_umbilics) # They have another order.
 set(minima "${umbilics}")
-find(${blend} --umbilic-method Minima --umbilic-significance 0)
+find(${blend} --umbilic-method Minima --patch-size 2)
 expect_that(umbilics STREQUAL minima)
 
 find(${blend} --umbilic-joining triangles)

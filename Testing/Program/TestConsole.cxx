@@ -50,6 +50,36 @@ TEST(Console, EndsAStageAtTheFirstErrorOfVTK)
   EXPECT_NO_THROW(stages.Run("next", "", nullptr, [] {}));
 }
 
+TEST(Console, PutsTheProgramsOptionsInPlaceOfVtksClasses)
+{
+  program::Stages stages(true);
+  stages.SetHint("vtkCleanPolyData", "--merge joins them");
+  try
+  {
+    stages.Run(
+      "stage", [] { return std::string("do that"); }, nullptr,
+      []
+      {
+        vtkNew<vtkPolyData> object;
+        vtkErrorWithObjectMacro(
+          object, "2 points (a few) coincide (vtkCleanPolyData merges them); 3 not");
+      });
+    FAIL() << "no failure";
+  }
+  catch (const program::Failure& failure)
+  {
+    EXPECT_STREQ(failure.what(),
+      "stage failed: 2 points (a few) coincide (--merge joins them); 3 not : do that");
+  }
+}
+
+TEST(Console, EndsAStrictStageAtAWarning)
+{
+  program::Stages stages(true);
+  EXPECT_THROW(stages.RunStrictly("stage", "do that", [] { vtkGenericWarningMacro("a warning"); }),
+    program::Failure);
+}
+
 TEST(Console, MeasuresStages)
 {
   program::Stages stages(true);

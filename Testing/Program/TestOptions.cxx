@@ -6,6 +6,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace
@@ -13,7 +14,7 @@ namespace
 
 using program::Filters;
 
-void Parse(std::vector<std::string> arguments, Filters& filters)
+program::Options Parse(std::vector<std::string> arguments, Filters& filters)
 {
   arguments.insert(arguments.begin(), "vtkridges");
   std::vector<char*> argv;
@@ -25,6 +26,7 @@ void Parse(std::vector<std::string> arguments, Filters& filters)
   program::Options options;
   EXPECT_EQ(program::ParseCommandLine(static_cast<int>(argv.size()), argv.data(), options, filters),
     std::nullopt);
+  return options;
 }
 
 TEST(Options, LeaveTheDefaultsOfTheFilters)
@@ -45,24 +47,74 @@ TEST(Options, LeaveTheDefaultsOfTheFilters)
 TEST(Options, SetUmbilicDetection)
 {
   Filters filters;
-  Parse({ "--umbilic-method", "minima", "--umbilic-significance", "4.5", "--patch-size", "3" },
+  Parse({ "--umbilic-method", "indices", "--umbilic-significance", "4.5", "--patch-size", "3" },
     filters);
-  EXPECT_EQ(filters.umbilics->GetMethod(), vtkUmbilicDetection::MINIMA);
   EXPECT_EQ(filters.umbilics->GetSignificance(), 4.5);
   EXPECT_EQ(filters.umbilics->GetPatchSize(), 3.0);
+  Parse({ "--umbilic-method", "minima" }, filters);
+  EXPECT_EQ(filters.umbilics->GetMethod(), vtkUmbilicDetection::MINIMA);
 }
 
 TEST(Options, SetRidgeExtraction)
 {
   Filters filters;
-  Parse({ "--extremality-rule", "gaussian", "--umbilic-joining", "triangles", "--loop-significance",
-          "0", "--type-hysteresis", "2.5", "--type-rule", "third-order" },
+  Parse({ "--umbilic-joining", "triangles", "--loop-significance", "0", "--type-hysteresis", "2.5",
+          "--type-rule", "third-order", "--degree", "3" },
     filters);
-  EXPECT_EQ(filters.ridges->GetExtremalityRule(), vtkRidgeExtraction::GAUSSIAN);
   EXPECT_EQ(filters.ridges->GetUmbilicJoining(), vtkRidgeExtraction::TRIANGLES);
   EXPECT_EQ(filters.ridges->GetLoopSignificance(), 0.0);
   EXPECT_EQ(filters.ridges->GetTypeHysteresis(), 2.5);
   EXPECT_EQ(filters.ridges->GetTypeRule(), vtkRidgeExtraction::THIRD_ORDER);
+  Parse({ "--extremality-rule", "gaussian" }, filters);
+  EXPECT_EQ(filters.ridges->GetExtremalityRule(), vtkRidgeExtraction::GAUSSIAN);
+}
+
+TEST(Options, RejectEmptyNames)
+{
+  for (std::string text : { "vtkridges", "vtkridges -o" })
+  {
+    std::string option = "-o";
+    std::string empty;
+    std::vector<char*> argv{ text.data() };
+    if (text != "vtkridges")
+    {
+      argv.push_back(option.data());
+    }
+    argv.push_back(empty.data());
+    Filters filters;
+    program::Options options;
+    EXPECT_EQ(
+      program::ParseCommandLine(static_cast<int>(argv.size()), argv.data(), options, filters),
+      program::ExitMisused);
+  }
+}
+
+TEST(Options, SetRepair)
+{
+  const std::pair<std::vector<std::string>, program::Joining> joinings[] = {
+    { { "m.off" }, program::Joining::Borders }, { { "m.off", "--merge" }, program::Joining::All },
+    { { "m.off", "--no-merge" }, program::Joining::None }
+  };
+  for (const auto& [arguments, joining] : joinings)
+  {
+    Filters filters;
+    const program::Options options = Parse(arguments, filters);
+    EXPECT_EQ(options.repair.joining, joining);
+    EXPECT_FALSE(options.repair.orient);
+  }
+  Filters filters;
+  EXPECT_TRUE(Parse({ "m.off", "--orient" }, filters).repair.orient);
+}
+
+TEST(Options, SetTypesToKeepInAnyOrderAndCase)
+{
+  Filters filters;
+  Parse({ "--keep", "Red,blue" }, filters);
+  EXPECT_TRUE(filters.sharpness->GetKeepMaximumElliptic());
+  EXPECT_TRUE(filters.sharpness->GetKeepMinimumElliptic());
+  EXPECT_FALSE(filters.sharpness->GetKeepMaximumHyperbolic());
+  EXPECT_FALSE(filters.sharpness->GetKeepMinimumHyperbolic());
+  EXPECT_FALSE(filters.sharpness->GetKeepUndecided());
 }
 
 } // namespace

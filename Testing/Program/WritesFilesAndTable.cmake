@@ -35,8 +35,46 @@ run(0 to/ridges-mesh.vtp --no-picture --extract maximum --keep blue --output aga
 expect("${output}" "4002 points, 8000 triangles, closed" "umbilics \\+1/2: 4, -1/2: 0"
   "minimum, elliptic +red +0 " "maximum, hyperbolic +green +0 ")
 
-# Degraded points and the border are told, and warnings come in one line.
-file(WRITE "${DIRECTORY}/two.off" "OFF 4 2 0\n0 0 0\n1 0 0\n0 1 0\n1 1 1\n3 0 1 2\n3 2 1 3\n")
-run(0 two.off --no-picture)
-expect("${output}" "with a border of 4 edges" "degraded points 4 on the border")
-expect("${errors}" "^vtkridges: warning, [^\n]+ : [^\n]+\n$")
+# write_grid(<file> <corners>): a paraboloid over a grid of 6 x 6 points. The corners are those of
+# the second triangle in each cell a b c d, after a: "c;d", or "d;c" to turn it.
+function (write_grid name corners)
+  foreach (i RANGE 5)
+    foreach (j RANGE 5)
+      math(EXPR height "${i} * ${i} + 3 * ${j} * ${j}")
+      string(APPEND points "${i} ${j} ${height}e-3\n")
+    endforeach ()
+  endforeach ()
+  foreach (i RANGE 4)
+    foreach (j RANGE 4)
+      math(EXPR a "${i} * 6 + ${j}")
+      math(EXPR b "${a} + 6")
+      math(EXPR c "${a} + 7")
+      math(EXPR d "${a} + 1")
+      list(GET corners 0 second)
+      list(GET corners 1 third)
+      string(APPEND faces "3 ${a} ${b} ${c}\n3 ${a} ${${second}} ${${third}}\n")
+    endforeach ()
+  endforeach ()
+  file(WRITE "${DIRECTORY}/${name}" "OFF 36 50 0\n${points}${faces}")
+endfunction ()
+
+# The report counts degraded points and the border, and warnings come in one line.
+write_grid(grid.off "c;d")
+run(0 grid.off --no-picture)
+expect("${output}" "36 points, 50 triangles, with a border of 20 edges"
+  "degraded points 20 on the border")
+write_grid(turned.off "d;c")
+run(0 turned.off --no-picture)
+expect("${errors}" "^vtkridges: warning, [^\n]+opposite orientation .add --orient.[^\n]* : [^\n]+\n$")
+run(0 turned.off --no-picture --orient)
+if (errors MATCHES "orientation")
+  message(SEND_ERROR "--orient does not orient:\n${errors}")
+endif ()
+
+# Automatic neighbourhoods are reported, and a quiet program is quiet with any number of threads.
+run(0 --surface ellipsoid --frequency 12 --no-picture --neighborhood automatic)
+expect("${output}" "fit +[2-8] rings, chosen automatically")
+run(0 --surface ellipsoid --frequency 12 --no-picture --quiet --threads 1000)
+if (NOT "${output}${errors}" STREQUAL "")
+  message(SEND_ERROR "--quiet prints:\n${output}${errors}")
+endif ()

@@ -81,23 +81,6 @@ MessageLog* InstalledLog()
   return log;
 }
 
-/// The filters advise in terms of VTK's classes; the user of the program has options.
-std::string InOptions(std::string text)
-{
-  const std::pair<const char*, const char*> terms[] = {
-    { "vtkStaticCleanPolyData merges them", "--merge joins them" },
-    { "vtkPolyDataNormals can mend that", "--orient can mend that" },
-  };
-  for (const auto& [term, option] : terms)
-  {
-    if (const auto at = text.find(term); at != std::string::npos)
-    {
-      text.replace(at, std::string(term).size(), option);
-    }
-  }
-  return text;
-}
-
 /// The first error, other than those of the pipeline, which only say that there was one. Some
 /// readers call their errors warnings.
 std::string Cause(const std::vector<std::string>& errors, const std::vector<std::string>& warnings)
@@ -112,7 +95,7 @@ std::string Cause(const std::vector<std::string>& errors, const std::vector<std:
       }
     }
   }
-  return "the reason is not told";
+  return "VTK gives no reason";
 }
 
 // --------------------------------------------------------------------------------------- progress
@@ -231,8 +214,29 @@ void Stages::Time(
   this->Durations.emplace_back(name, seconds.count());
 }
 
-void Stages::Run(const std::string& name, const std::string& advice, vtkAlgorithm* algorithm,
-  const std::function<void()>& job)
+void Stages::SetHint(const std::string& className, const std::string& hint)
+{
+  this->Hints[className] = hint;
+}
+
+/// The filters advise in terms of VTK's classes; the user of the program has options.
+std::string Stages::InOptions(std::string text) const
+{
+  for (const auto& [className, hint] : this->Hints)
+  {
+    const auto name = text.find(className);
+    const auto open = name == std::string::npos ? name : text.rfind('(', name);
+    const auto close = name == std::string::npos ? name : text.find(')', name);
+    if (open != std::string::npos && close != std::string::npos)
+    {
+      text.replace(open + 1, close - open - 1, hint);
+    }
+  }
+  return text;
+}
+
+void Stages::Run(const std::string& name, const std::function<std::string()>& advice,
+  vtkAlgorithm* algorithm, const std::function<void()>& job)
 {
   MessageLog* log = InstalledLog();
   this->Time(name, algorithm, job);
@@ -240,12 +244,19 @@ void Stages::Run(const std::string& name, const std::string& advice, vtkAlgorith
   const std::vector<std::string> warnings = log->TakeWarnings();
   if (!errors.empty())
   {
-    throw Failure(name + " failed: " + InOptions(Cause(errors, warnings)), advice);
+    throw Failure(name + " failed: " + this->InOptions(Cause(errors, warnings)), advice());
   }
   for (const std::string& warning : warnings)
   {
-    this->Warn(InOptions(warning), advice);
+    this->Warn(this->InOptions(warning), advice());
   }
+}
+
+void Stages::Run(const std::string& name, const std::string& advice, vtkAlgorithm* algorithm,
+  const std::function<void()>& job)
+{
+  this->Run(
+    name, [&advice] { return advice; }, algorithm, job);
 }
 
 void Stages::RunStrictly(

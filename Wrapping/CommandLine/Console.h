@@ -10,6 +10,7 @@
 #define Console_h
 
 #include <functional>
+#include <map>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -45,12 +46,19 @@ public:
   /// Quiet: neither progress nor warnings.
   explicit Stages(bool quiet);
 
+  /// What the user of the program should read where a filter advises to use a class of VTK: the
+  /// parenthesis that names the class is replaced.
+  void SetHint(const std::string& className, const std::string& hint);
+
   /**
    * Runs a job under a name; the algorithm, if there is one, reports the progress. Throws Failure
-   * with the first error that VTK reports meanwhile, and with the advice as what to do about it.
+   * with the first error that VTK reports meanwhile, and prints its warnings. The advice says what
+   * to do about either; a function is asked for it after the job.
    */
   void Run(const std::string& name, const std::string& advice, vtkAlgorithm* algorithm,
     const std::function<void()>& job);
+  void Run(const std::string& name, const std::function<std::string()>& advice,
+    vtkAlgorithm* algorithm, const std::function<void()>& job);
 
   /// The same, but a warning ends the job too.
   void RunStrictly(
@@ -65,6 +73,9 @@ public:
 private:
   void Time(const std::string& name, vtkAlgorithm* algorithm, const std::function<void()>& job);
 
+  std::string InOptions(std::string text) const;
+
+  std::map<std::string, std::string> Hints; ///< By the name of a class.
   bool Quiet;
   bool ShowProgress;
   std::vector<Duration> Durations;

@@ -2,20 +2,33 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "HelpFormatter.h"
 
+#include <algorithm>
 #include <sstream>
 
 namespace program
 {
 
-std::string HelpFormatter::make_help(
-  const CLI::App* app, std::string name, CLI::AppFormatMode) const
+HelpFormatter::HelpFormatter(std::vector<std::string> namesInShort)
+  : NamesInShort(std::move(namesInShort))
 {
+}
+
+std::string HelpFormatter::make_help(
+  const CLI::App* app, std::string name, CLI::AppFormatMode mode) const
+{
+  const bool isShort = mode != CLI::AppFormatMode::All;
+  const auto isListed = [this, isShort](const CLI::Option* option)
+  {
+    return !isShort ||
+      std::any_of(this->NamesInShort.begin(), this->NamesInShort.end(),
+        [option](const std::string& inShort) { return option->check_name(inShort); });
+  };
   std::string text = app->get_description() + "\n\nUsage: " + name + " [MESH] [OPTION]...\n";
   // Unlike in the base class, the positional argument is listed in its group.
   for (const std::string& group : app->get_groups())
   {
-    const auto options = app->get_options(
-      [&group](const CLI::Option* option) { return option->get_group() == group; });
+    const auto options = app->get_options([&group, &isListed](const CLI::Option* option)
+      { return option->get_group() == group && isListed(option); });
     if (!group.empty() && !options.empty())
     {
       text += "\n" + group + ":\n";

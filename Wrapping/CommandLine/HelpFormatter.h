@@ -6,17 +6,27 @@
 #include <CLI/CLI.hpp>
 
 #include <string>
+#include <vector>
 
 namespace program
 {
 
-/// Lays the help out in 80 columns: options on the left, what they do wrapped on the right.
+/**
+ * Lays out the help in 80 columns: options on the left, what they do wrapped on the right. The help
+ * in short lists the options that most users need; --help-all lists all.
+ */
 class HelpFormatter : public CLI::Formatter
 {
 public:
+  /// The names of the options in the short help, with dashes.
+  explicit HelpFormatter(std::vector<std::string> namesInShort);
+
   std::string make_help(
     const CLI::App* app, std::string name, CLI::AppFormatMode mode) const override;
   std::string make_option(const CLI::Option* option, bool isPositional) const override;
+
+private:
+  std::vector<std::string> NamesInShort;
 };
 
 } // namespace program

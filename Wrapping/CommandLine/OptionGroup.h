@@ -3,12 +3,16 @@
 #ifndef OptionGroup_h
 #define OptionGroup_h
 
+#include "Reading/TextLines.h"
+
 #include <CLI/CLI.hpp>
 
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <sstream>
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -37,10 +41,10 @@ struct Range
       : ToText(this->minimum) + " to " + ToText(this->maximum);
   }
 
-  bool Contains(T value) const
+  bool Contains(double value) const
   {
-    return std::isfinite(static_cast<double>(value)) && value >= this->minimum &&
-      value <= this->maximum;
+    return std::isfinite(value) && value >= static_cast<double>(this->minimum) &&
+      value <= static_cast<double>(this->maximum);
   }
 };
 
@@ -66,10 +70,10 @@ public:
   {
     const auto check = [range](const std::string& text)
     {
-      T number{};
-      return CLI::detail::lexical_cast(text, number) && range.Contains(number)
-        ? std::string()
-        : text + " is not in the range, " + range.AsText();
+      const std::optional<double> number = ToReal(text);
+      const bool isInteger = number && *number == std::floor(*number);
+      const bool fits = number && (isInteger || !std::is_integral_v<T>)&&range.Contains(*number);
+      return fits ? std::string() : text + " is not in the range, " + range.AsText();
     };
     return this->App
       .add_option_function<T>(
@@ -127,10 +131,8 @@ public:
       ->check(CLI::Validator(
         [](const std::string& text)
         {
-          double number = 0.0;
-          return CLI::detail::lexical_cast(text, number) && std::isfinite(number)
-            ? std::string()
-            : text + " is not a number";
+          const std::optional<double> number = ToReal(text);
+          return number && std::isfinite(*number) ? std::string() : text + " is not a number";
         },
         "", "finite"))
       ->type_name("X,Y,Z")

@@ -3,12 +3,14 @@
 #include "Options.h"
 
 #include "HelpFormatter.h"
+#include "OptionChecks.h"
 #include "OptionGroup.h"
 #include "Reading/MeshReader.h"
 
 #include "vtkVersion.h"
 
 #include <algorithm>
+#include <cctype>
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -19,16 +21,6 @@ namespace program
 namespace
 {
 
-/// What is wrong with options that are right each for itself.
-class Contradiction : public CLI::Error
-{
-public:
-  explicit Contradiction(const std::string& text)
-    : CLI::Error("Contradiction", text)
-  {
-  }
-};
-
 // ---------------------------------------------------------------------------------- the options
 
 using Vector3 = std::array<double, 3>;
@@ -38,25 +30,18 @@ void AddInput(CLI::App& app, Options& options, vtkRidgeExampleSource* example)
   OptionGroup group(app, "Input");
   CLI::Option* mesh = group.Text("MESH", "FILE", options.mesh,
     std::string("mesh to read (") + ReadableExtensions() +
-      "); without one, an example surface is taken");
-  CLI::Option* merge = group
-                         .Flag(
-                           "--merge", [&options](bool) { options.repair.joining = Joining::All; },
-                           "join all points of MESH that are at the same place; without this, "
-                           "those on its borders are "
-                           "joined, as along seams")
-                         ->needs(mesh);
+      "); without it, the program uses an example surface");
+  CLI::Option* merge = group.Flag(
+    "--merge", [&options](bool) { options.repair.joining = Joining::All; },
+    "join all points of MESH at the same place, not only those on borders, as along seams");
   group
     .Flag(
       "--no-merge", [&options](bool) { options.repair.joining = Joining::None; },
-      "join no points of MESH")
-    ->needs(mesh)
+      "join no points of MESH, not even along seams")
     ->excludes(merge);
-  group
-    .Flag(
-      "--orient", [&options](bool on) { options.repair.orient = on; },
-      "give neighbouring faces of MESH the same orientation, outward on closed parts")
-    ->needs(mesh);
+  group.Flag(
+    "--orient", [&options](bool on) { options.repair.orient = on; },
+    "give neighbouring faces of MESH the same orientation, outward on closed parts");
   group
     .Choice(
       "--surface",
@@ -69,7 +54,7 @@ void AddInput(CLI::App& app, Options& options, vtkRidgeExampleSource* example)
       "--frequency", "N", example->GetFrequency(),
       { example->GetFrequencyMinValue(), example->GetFrequencyMaxValue() },
       [=](int value) { example->SetFrequency(value); },
-      "fineness of the example: 10 N^2 + 2 points")
+      "resolution of the example: 10 N^2 + 2 points")
     ->excludes(mesh);
   const double* axes = example->GetSemiAxes();
   group
@@ -82,44 +67,44 @@ void AddInput(CLI::App& app, Options& options, vtkRidgeExampleSource* example)
 
 void AddJetFitting(CLI::App& app, vtkJetFitting* filter)
 {
+  constexpr int leastOrder = 3; // Ridges are where a third derivative vanishes.
   OptionGroup group(app, "Jet fitting");
   group.Number<int>(
-    "--degree", "N", filter->GetDegree(),
-    { filter->GetDegreeMinValue(), filter->GetDegreeMaxValue() },
+    "--degree", "N", filter->GetDegree(), { leastOrder, filter->GetDegreeMaxValue() },
     [=](int value) { filter->SetDegree(value); }, "degree of the polynomial fitted at each point");
   group.Number<int>(
-    "--monge-order", "N", filter->GetMongeOrder(),
-    { filter->GetMongeOrderMinValue(), filter->GetMongeOrderMaxValue() },
+    "--monge-order", "N", filter->GetMongeOrder(), { leastOrder, filter->GetMongeOrderMaxValue() },
     [=](int value) { filter->SetMongeOrder(value); },
-    "highest order of the derivatives computed: ridges need 3, their sharpness 4");
+    "highest order of the derivatives; 3 needs --type-rule third-order");
   group.Choice(
     "--neighborhood",
     { { "point-count", vtkJetFitting::BY_POINT_COUNT }, { "rings", vtkJetFitting::BY_RINGS },
       { "radius", vtkJetFitting::BY_RADIUS }, { "automatic", vtkJetFitting::AUTOMATIC } },
     filter->GetNeighborhood(), [=](int value) { filter->SetNeighborhood(value); },
-    "what bounds the neighbourhood of a point; automatic: the rings, 2 to 8, with the least "
-    "estimated error, for noisy meshes");
+    "how large the neighbourhood of a point is; automatic selects 2 to 8 rings by the noise of the "
+    "mesh");
   group.Number<int>(
     "--minimum-number-of-points", "N", filter->GetMinimumNumberOfPoints(),
     { filter->GetMinimumNumberOfPointsMinValue(), filter->GetMinimumNumberOfPointsMaxValue() },
     [=](int value) { filter->SetMinimumNumberOfPoints(value); },
-    "with point-count: least points of a neighbourhood; take 100 to 200 on noisy meshes");
+    "least number of points, for --neighborhood point-count; use 100 to 200 on noisy meshes");
   group.Number<int>(
     "--number-of-rings", "N", filter->GetNumberOfRings(),
     { filter->GetNumberOfRingsMinValue(), filter->GetNumberOfRingsMaxValue() },
-    [=](int value) { filter->SetNumberOfRings(value); }, "with rings: how many of them");
+    [=](int value) { filter->SetNumberOfRings(value); },
+    "number of rings, for --neighborhood rings");
   group.Number<double>(
     "--radius", "LENGTH", filter->GetRadius(), { 0.0, AnyLength },
     [=](double value) { filter->SetRadius(value); },
-    "with radius: that of the neighbourhood, in units of the mesh");
+    "radius in units of the mesh, for --neighborhood radius");
   group.Choice(
     "--weighting",
     { { "uniform", vtkJetFitting::UNIFORM }, { "gaussian", vtkJetFitting::GAUSSIAN } },
     filter->GetWeighting(), [=](int value) { filter->SetWeighting(value); },
-    "how much the points of a neighbourhood count; gaussian: less with their distance");
+    "weight of the points in a neighbourhood; gaussian decreases with their distance");
   group.Flag(
     "--standard-errors", [=](bool on) { filter->SetStandardErrors(on); },
-    "put standard errors of what is fitted into the mesh written by --write-mesh");
+    "compute standard errors of the derivatives; --write-mesh writes them too");
 }
 
 void AddUmbilics(CLI::App& app, vtkUmbilicDetection* filter)
@@ -129,20 +114,20 @@ void AddUmbilics(CLI::App& app, vtkUmbilicDetection* filter)
     "--umbilic-method",
     { { "indices", vtkUmbilicDetection::INDICES }, { "minima", vtkUmbilicDetection::MINIMA } },
     filter->GetMethod(), [=](int value) { filter->SetMethod(value); },
-    "how umbilics are found: by the index of every triangle, so that none is lost, or as the "
-    "paper's minima of k1 - k2");
+    "how umbilics are found: by the index of every triangle, which misses none, or at minima of "
+    "k1 - k2, as in the paper");
   group.Number<double>(
     "--umbilic-significance", "ERRORS", filter->GetSignificance(),
     { filter->GetSignificanceMinValue(), filter->GetSignificanceMaxValue() },
     [=](double value) { filter->SetSignificance(value); },
-    "with indices: standard errors by which k1 - k2 has to differ from 0; opposite umbilics that "
-    "are joined by places where it does not cancel each other, as noise may have made them");
+    "number of standard errors within which k1 - k2 counts as 0; opposite umbilics that such "
+    "places "
+    "connect cancel each other, as noise may have caused them");
   group.Number<double>(
     "--patch-size", "FACTOR", filter->GetPatchSize(),
     { filter->GetPatchSizeMinValue(), filter->GetPatchSizeMaxValue() },
     [=](double value) { filter->SetPatchSize(value); },
-    "size of the patch around an umbilic, in sizes of the triangles there; with minima larger ones "
-    "find fewer umbilics");
+    "size of the patch around an umbilic, as a multiple of the triangles there");
 }
 
 void AddRidges(CLI::App& app, vtkRidgeExtraction* filter)
@@ -158,52 +143,55 @@ void AddRidges(CLI::App& app, vtkRidgeExtraction* filter)
       filter->SetExtractMaximum((value & maximum) != 0);
       filter->SetExtractMinimum((value & minimum) != 0);
     },
-    "the principal curvature whose ridges are extracted");
+    "principal curvature whose ridges are extracted");
   group.Flag(
     "--crest-only", [=](bool on) { filter->SetCrestOnly(on); },
-    "extract crest lines only, the visually salient ridges");
+    "extract only crest lines, the visually salient ridges");
   group.Choice(
     "--type-rule",
     { { "fourth-order", vtkRidgeExtraction::FOURTH_ORDER },
       { "third-order", vtkRidgeExtraction::THIRD_ORDER } },
     filter->GetTypeRule(), [=](int value) { filter->SetTypeRule(value); },
-    "derivatives that decide whether a ridge is elliptic or hyperbolic");
+    "order of the derivatives that decide whether a ridge is elliptic or hyperbolic");
   group.Choice(
     "--extremality-rule",
     { { "principal", vtkRidgeExtraction::PRINCIPAL },
       { "gaussian", vtkRidgeExtraction::GAUSSIAN } },
     filter->GetExtremalityRule(), [=](int value) { filter->SetExtremalityRule(value); },
-    "what is taken for a ridge: where a principal curvature is extremal, or, for comparison, where "
-    "the product of both extremalities changes sign, regardless of umbilics");
+    "where ridges are: where a principal curvature is extremal or, for comparison, where the "
+    "product "
+    "of both extremalities changes sign");
   group.Choice(
     "--umbilic-joining",
     { { "patches", vtkRidgeExtraction::PATCHES }, { "triangles", vtkRidgeExtraction::TRIANGLES } },
     filter->GetUmbilicJoining(), [=](int value) { filter->SetUmbilicJoining(value); },
-    "with principal: where ridges are joined to umbilics, in their patches or, less reliably, in "
-    "single triangles");
+    "where ridges are connected to umbilics: in their patches or, less reliably, in single "
+    "triangles");
   group.Number<double>(
     "--loop-significance", "ERRORS", filter->GetLoopSignificance(),
     { filter->GetLoopSignificanceMinValue(), filter->GetLoopSignificanceMaxValue() },
     [=](double value) { filter->SetLoopSignificance(value); },
-    "small loops are left out where their extremality is within this many standard errors of 0, as "
-    "noise may have made them; 0 keeps all");
+    "small loops whose extremality is within this many standard errors of 0 are omitted, as noise "
+    "may "
+    "have caused them; 0 keeps all");
   group.Number<double>(
     "--type-hysteresis", "EDGES", filter->GetTypeHysteresis(),
     { filter->GetTypeHysteresisMinValue(), filter->GetTypeHysteresisMaxValue() },
     [=](double value) { filter->SetTypeHysteresis(value); },
-    "length, in mean edges, below which a run of one type between two of another takes on that "
-    "type; 0 changes none, as short runs may be true");
+    "stretches of one type that are shorter than this many mean edges take the type of both "
+    "neighbours; 0 keeps all");
   group.Number<double>(
     "--model-size", "LENGTH", filter->GetModelSize(),
     { filter->GetModelSizeMinValue(), filter->GetModelSizeMaxValue() },
     [=](double value) { filter->SetModelSize(value); },
-    "length that makes sharpness free of units; 0: the radius of the smallest enclosing sphere");
+    "length that makes sharpness dimensionless; 0: the radius of the smallest enclosing sphere");
   group.Number<double>(
     "--umbilic-cut-off", "FACTOR", filter->GetUmbilicCutOff(),
     { filter->GetUmbilicCutOffMinValue(), filter->GetUmbilicCutOffMaxValue() },
     [=](double value) { filter->SetUmbilicCutOff(value); },
-    "distance from umbilics, in model sizes, within which hyperbolic ridges do not count towards "
-    "their sharpness, which is infinite there");
+    "distance from umbilics, in model sizes, within which the sharpness of hyperbolic ridges is "
+    "not "
+    "integrated, as it diverges there");
 }
 
 /// The five switches of the types in one option, as a list.
@@ -234,22 +222,29 @@ void AddKeep(CLI::App& app, vtkRidgeSharpnessFilter* filter)
   // Split here: a list option of CLI11 would take the arguments behind it for more types.
   const auto keep = [types, filter](const std::string& text)
   {
-    std::size_t known = 0;
-    const std::vector<std::string> wanted = CLI::detail::split(CLI::detail::to_lower(text), ',');
-    for (const Type& type : types)
+    std::vector<bool> isWanted(types.size(), false);
+    std::istringstream words(text);
+    for (std::string word; std::getline(words, word, ',');)
     {
-      const auto count = std::count(wanted.begin(), wanted.end(), type.name);
-      (filter->*type.set)(count > 0);
-      known += static_cast<std::size_t>(count);
+      std::transform(word.begin(), word.end(), word.begin(),
+        [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+      const auto type = std::find_if(
+        types.begin(), types.end(), [&word](const Type& known) { return known.name == word; });
+      if (type == types.end())
+      {
+        throw CLI::ValidationError("--keep", text + " is not a list of types");
+      }
+      isWanted[static_cast<std::size_t>(type - types.begin())] = true;
     }
-    if (known < wanted.size())
+    for (std::size_t i = 0; i < types.size(); ++i)
     {
-      throw CLI::ValidationError("--keep", text + " is not a list of types");
+      (filter->*types[i].set)(isWanted[i]);
     }
   };
   app
     .add_option_function<std::string>("--keep", keep,
-      "types of lines kept: blue (maximum, elliptic), green (maximum, hyperbolic), red (minimum, "
+      "types of lines to keep: blue (maximum, elliptic), green (maximum, hyperbolic), red "
+      "(minimum, "
       "elliptic), yellow (minimum, hyperbolic), undecided")
     ->type_name("TYPE,...")
     ->default_str(initial)
@@ -263,12 +258,12 @@ void AddSharpness(CLI::App& app, vtkRidgeSharpnessFilter* filter)
     "--minimum-sharpness", "S", filter->GetMinimumSharpness(),
     { filter->GetMinimumSharpnessMinValue(), filter->GetMinimumSharpnessMaxValue() },
     [=](double value) { filter->SetMinimumSharpness(value); },
-    "least sharpness of a line, without unit; 100 to 1000 clears up noisy meshes");
+    "least sharpness of a line, dimensionless; 100 to 1000 removes most of the noise");
   group.Number<double>(
     "--minimum-strength", "S", filter->GetMinimumStrength(),
     { filter->GetMinimumStrengthMinValue(), filter->GetMinimumStrengthMaxValue() },
     [=](double value) { filter->SetMinimumStrength(value); },
-    "least strength of a line, the integral of its curvature, without unit");
+    "least strength of a line, the integral of its curvature, dimensionless");
   group.Number<double>(
     "--minimum-length", "LENGTH", filter->GetMinimumLength(),
     { filter->GetMinimumLengthMinValue(), filter->GetMinimumLengthMaxValue() },
@@ -278,7 +273,7 @@ void AddSharpness(CLI::App& app, vtkRidgeSharpnessFilter* filter)
   AddKeep(app, filter);
   group.Flag(
     "--keep-crest-only", [=](bool on) { filter->SetCrestOnly(on); },
-    "keep crest lines only, of what is extracted");
+    "keep only crest lines of what is extracted");
 }
 
 void SetPictureSize(const std::string& text, std::array<int, 2>& size)
@@ -301,22 +296,21 @@ void AddOutput(CLI::App& app, Options& options)
 {
   OptionGroup group(app, "Output");
   group.Text("-o,--output", "PREFIX", options.output,
-    "path and beginning of the names of the files written: PREFIX-ridges.vtp, "
-    "PREFIX-umbilics.vtp, PREFIX.png [name of MESH, or ridges]");
+    "write PREFIX-ridges.vtp, PREFIX-umbilics.vtp and PREFIX.png [name of MESH, or ridges]");
   group.Flag(
     "--write-mesh", [&](bool on) { options.writeMesh = on; },
-    "write PREFIX-mesh.vtp too, the mesh with all that was computed at its points");
+    "write PREFIX-mesh.vtp too: the mesh with the computed arrays");
   CLI::Option* check = group.Flag(
     "--check", [&](bool on) { options.check = on; },
-    "print too whether ridges and umbilics are coherent, check by check, and where they are not");
+    "check whether ridges and umbilics are consistent, and print where they are not");
   group
     .Flag(
       "--strict", [&](bool on) { options.strict = on; },
-      "with --check: exit code 3 if a check fails, once all is written")
+      "with --check: exit with code 3 if a check fails, after writing the files")
     ->needs(check);
   group.Flag(
     "--no-picture", [&](bool on) { options.noPicture = on; },
-    "draw no picture, which takes an X display");
+    "draw no picture, which needs an X display");
   const std::array<int, 2>& size = options.picture.size;
   app
     .add_option_function<std::string>(
@@ -332,7 +326,7 @@ void AddOutput(CLI::App& app, Options& options)
     "and from above]");
   group.Triple(
     "--up", "", [&](Vector3 value) { options.picture.up = value; },
-    "direction that is up in the picture [y or z, whichever the model extends more along]");
+    "direction that is up in the picture [y or z, the one of larger extent]");
 }
 
 void AddGeneral(CLI::App& app, Options& options)
@@ -341,59 +335,17 @@ void AddGeneral(CLI::App& app, Options& options)
   group
     .Number<int>(
       "--threads", "N", options.threads, { 1, 1024 }, [&](int value) { options.threads = value; },
-      "threads to use")
+      "number of threads, at most one for each processor")
     ->default_str("all");
   group.Flag(
-    "-q,--quiet", [&](bool on) { options.quiet = on; },
-    "print nothing but errors: no table, no progress, no warnings");
-  app.set_help_flag("-h,--help", "print this help and exit")->group("General");
+    "-q,--quiet", [&](bool on) { options.quiet = on; }, "print only errors");
+  app.set_help_flag("-h,--help", "print the most important options and exit")->group("General");
+  app.set_help_all_flag("--help-all", "print all options and exit")->group("General");
   app
     .set_version_flag("--version",
       std::string("vtkridges " RIDGES_VERSION " (VTK ") + vtkVersion::GetVTKVersion() + ")")
     ->description("print the version and exit")
     ->group("General");
-}
-
-void Check(const CLI::App& app, const Options& options, const Filters& filters)
-{
-  if (filters.jetFitting->GetNeighborhood() == vtkJetFitting::BY_RADIUS &&
-    filters.jetFitting->GetRadius() <= 0.0)
-  {
-    throw Contradiction("--neighborhood radius needs a positive --radius");
-  }
-  const double* axes = filters.example->GetSemiAxes();
-  if (std::min({ axes[0], axes[1], axes[2] }) <= 0.0)
-  {
-    throw Contradiction("--semi-axes have to be positive, all three");
-  }
-  if (app.count("--semi-axes") > 0 &&
-    filters.example->GetSurface() != vtkRidgeExampleSource::ELLIPSOID)
-  {
-    throw Contradiction("--semi-axes are those of --surface ellipsoid");
-  }
-  if (options.check && app.count("--extract") + app.count("--crest-only") > 0)
-  {
-    throw Contradiction("--check is about all ridges, without --extract and --crest-only");
-  }
-  if (filters.ridges->GetExtremalityRule() == vtkRidgeExtraction::GAUSSIAN)
-  {
-    if (options.check)
-    {
-      throw Contradiction("--check is about --extremality-rule principal, not gaussian");
-    }
-    if (app.count("--extract") > 0)
-    {
-      throw Contradiction(
-        "--extract does not go with --extremality-rule gaussian, which is of both");
-    }
-  }
-  for (const std::optional<Vector3>& direction : { options.picture.view, options.picture.up })
-  {
-    if (direction && *direction == Vector3{ 0.0, 0.0, 0.0 })
-    {
-      throw Contradiction("--view and --up are directions, which 0,0,0 is not");
-    }
-  }
 }
 
 /// A directory is completed to a prefix in it, and no prefix to the name of the mesh.
@@ -418,8 +370,11 @@ void CompleteOutput(Options& options)
 std::optional<int> ParseCommandLine(int argc, char** argv, Options& options, Filters& filters)
 {
   CLI::App app("Finds the ridges and umbilics of a triangle mesh and draws them.", "vtkridges");
-  app.formatter(std::make_shared<HelpFormatter>());
-  app.set_help_flag(); // Added anew at the end, to be listed there.
+  app.formatter(std::make_shared<HelpFormatter>(std::vector<std::string>{ "MESH", "--orient",
+    "--surface", "--neighborhood", "--minimum-number-of-points", "--crest-only",
+    "--minimum-sharpness", "--keep", "--output", "--write-mesh", "--check", "--strict",
+    "--no-picture", "--view", "--quiet", "--help", "--help-all", "--version" }));
+  app.set_help_flag(); // Added again at the end, to be listed there.
   AddInput(app, options, filters.example);
   AddJetFitting(app, filters.jetFitting);
   AddUmbilics(app, filters.umbilics);
@@ -427,11 +382,11 @@ std::optional<int> ParseCommandLine(int argc, char** argv, Options& options, Fil
   AddSharpness(app, filters.sharpness);
   AddOutput(app, options);
   AddGeneral(app, options);
-  app.footer("Defaults stand in brackets. A line is a part of a ridge that has one type.\n"
+  app.footer("Defaults are in brackets. A line is a part of a ridge that has one type.\n"
              "\n"
              "Colours: blue and green are ridges of the maximum principal curvature, elliptic\n"
-             "and hyperbolic, red and yellow those of the minimum. Elliptic ones are where the\n"
-             "maximum is greatest, or the minimum least, along its curvature line.\n"
+             "and hyperbolic; red and yellow are those of the minimum. Along its curvature\n"
+             "line, the maximum is greatest on a blue ridge, the minimum least on a red one.\n"
              "\n"
              "Exit codes: 0 done; 1 the job failed (a file that cannot be read or written, an\n"
              "error in a filter); 2 wrong usage; 3 a check failed, with --strict.\n"
@@ -440,11 +395,11 @@ std::optional<int> ParseCommandLine(int argc, char** argv, Options& options, Fil
              "  vtkridges scan.ply --minimum-number-of-points 200 --minimum-sharpness 300\n"
              "  vtkridges part.stl --crest-only --output pictures/part\n"
              "  vtkridges --surface ellipsoid --view 1,-1,1 --output ellipsoid\n"
-             "  xvfb-run -a vtkridges part.stl         (where there is no X display)");
+             "  xvfb-run -a vtkridges part.stl         (without an X display)");
   try
   {
     app.parse(argc, argv);
-    Check(app, options, filters);
+    CheckOptions(app, options, filters);
   }
   catch (const CLI::Success& success)
   {

@@ -53,8 +53,13 @@ vtkIdType CountIf(vtkDataArray* array, const std::function<bool(double)>& condit
   return count;
 }
 
-/// Edges of one triangle, and of more than two.
-vtkIdType CountBorderEdges(vtkPolyData* mesh)
+struct EdgeCounts
+{
+  vtkIdType border = 0;      ///< Of one triangle.
+  vtkIdType nonManifold = 0; ///< Of more than two.
+};
+
+EdgeCounts CountEdges(vtkPolyData* mesh)
 {
   std::vector<std::pair<vtkIdType, vtkIdType>> edges;
   edges.reserve(3 * static_cast<std::size_t>(mesh->GetNumberOfPolys()));
@@ -68,15 +73,16 @@ vtkIdType CountBorderEdges(vtkPolyData* mesh)
     }
   }
   std::sort(edges.begin(), edges.end());
-  vtkIdType count = 0;
+  EdgeCounts counts;
   for (auto first = edges.begin(); first != edges.end();)
   {
     const auto last =
-      std::find_if(first, edges.end(), [&](const auto& edge) { return edge != *first; });
-    count += last - first == 2 ? 0 : 1;
+      std::find_if(first, edges.end(), [&first](const auto& edge) { return edge != *first; });
+    counts.border += last - first == 1 ? 1 : 0;
+    counts.nonManifold += last - first > 2 ? 1 : 0;
     first = last;
   }
-  return count;
+  return counts;
 }
 
 double FieldValue(vtkPolyData* data, const char* name)
@@ -92,13 +98,16 @@ std::string Halves(double value)
   return twice % 2 == 0 ? std::to_string(twice / 2) : std::to_string(twice) + "/2";
 }
 
-void PrintMesh(std::ostream& os, const Results& results, vtkIdType borderEdges)
+void PrintMesh(std::ostream& os, const Results& results, const EdgeCounts& edges)
 {
   PrintRow(os, "mesh",
     results.name + ": " + Count(results.mesh->GetNumberOfPoints(), "point") + ", " +
       Count(results.mesh->GetNumberOfPolys(), "triangle") + ", " +
-      (borderEdges == 0 ? std::string("closed")
-                        : "with a border of " + Count(borderEdges, "edge")));
+      (edges.border == 0 && edges.nonManifold == 0 ? std::string("closed") : std::string()) +
+      (edges.border > 0 ? "with a border of " + Count(edges.border, "edge") : std::string()) +
+      (edges.border > 0 && edges.nonManifold > 0 ? ", " : "") +
+      (edges.nonManifold > 0 ? Count(edges.nonManifold, "edge") + " of more than two triangles"
+                             : std::string()));
   if (results.joinedPoints > 0)
   {
     const auto joined = static_cast<vtkIdType>(results.joinedPoints);
@@ -126,6 +135,29 @@ void PrintMesh(std::ostream& os, const Results& results, vtkIdType borderEdges)
   {
     PrintRow(os, "degraded", "points " + text);
   }
+  if (results.selectedRings > 0)
+  {
+    PrintRow(os, "fit", std::to_string(results.selectedRings) + " rings, chosen automatically");
+  }
+}
+
+/// Where a quantity is within its errors of 0: the triangles of the zones, and what that means.
+void PrintZones(
+  std::ostream& os, vtkPolyData* mesh, const char* array, const char* quantity, const char* meaning)
+{
+  const vtkIdType all = mesh->GetNumberOfPolys();
+  const vtkIdType count =
+    CountIf(mesh->GetCellData()->GetArray(array), [](double value) { return value >= 0.0; });
+  if (count > 0)
+  {
+    PrintRow(os, "",
+      std::string(quantity) + " is " +
+        (count == all ? "nowhere significant"
+                      : "not significant in " +
+              Format("%.2g", 100.0 * static_cast<double>(count) / static_cast<double>(all)) +
+              " % of the triangles") +
+        ": " + meaning);
+  }
 }
 
 void PrintUmbilics(std::ostream& os, const Results& results, bool isClosed)
@@ -149,6 +181,7 @@ void PrintUmbilics(std::ostream& os, const Results& results, bool isClosed)
                      : ": they may differ, as the mesh has a border";
   }
   PrintRow(os, "", text);
+  PrintZones(os, results.mesh, names::UmbilicZone, "k1 - k2", "umbilics there mean nothing");
 }
 
 void PrintRidges(std::ostream& os, const Results& results)
@@ -192,9 +225,9 @@ void PrintRidges(std::ostream& os, const Results& results)
 void PrintReport(std::ostream& os, const Results& results,
   const std::vector<Stages::Duration>& durations, const std::vector<std::string>& filesWritten)
 {
-  const vtkIdType borderEdges = CountBorderEdges(results.mesh);
-  PrintMesh(os, results, borderEdges);
-  PrintUmbilics(os, results, borderEdges == 0);
+  const EdgeCounts edges = CountEdges(results.mesh);
+  PrintMesh(os, results, edges);
+  PrintUmbilics(os, results, edges.border == 0 && edges.nonManifold == 0);
   PrintRidges(os, results);
   if (results.checks)
   {

@@ -15,16 +15,17 @@
 namespace program
 {
 
-/// What the job made.
+/// The results of the job.
 struct Results
 {
-  std::string name;      ///< Of the mesh.
-  vtkPolyData* mesh;     ///< With the arrays of the jet fitting and the umbilics.
-  vtkPolyData* umbilics; ///< A vertex each.
-  vtkPolyData* allRidges;
-  vtkPolyData* ridges;      ///< Those that the filter kept.
-  vtkTable* checks;         ///< Of all ridges, or null.
-  std::size_t joinedPoints; ///< Points of the file that others at their place stand for.
+  std::string name;                 ///< Of the mesh.
+  vtkPolyData* mesh = nullptr;      ///< With the arrays of the jet fitting and the umbilics.
+  vtkPolyData* umbilics = nullptr;  ///< A vertex each.
+  vtkPolyData* allRidges = nullptr; ///< Before the filter.
+  vtkPolyData* ridges = nullptr;    ///< After it.
+  vtkTable* checks = nullptr;       ///< Of all ridges, or null.
+  std::size_t joinedPoints = 0;     ///< Points of the file that became one with others.
+  int selectedRings = 0;            ///< Chosen by the fit; 0 if it did not choose.
 };
 
 /// Prints the table at the end of the job.

@@ -14,11 +14,15 @@
 #include "Repair/RepairMesh.h"
 #include "Report.h"
 
+#include "vtkDataArray.h"
 #include "vtkPNGWriter.h"
+#include "vtkPointData.h"
+#include "vtkRidgesArrayNames.h"
 #include "vtkSMPTools.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkXMLPolyDataWriter.h"
 
+#include <algorithm>
 #include <csignal>
 #include <filesystem>
 #include <fstream>
@@ -123,43 +127,37 @@ void WriteFiles(const Options& options, const Results& results, vtkImageData* pi
   files.Complete();
 }
 
+std::string Count(std::size_t number, const char* one, const char* more)
+{
+  return std::to_string(number) + " " + (number == 1 ? one : more);
+}
+
 void WarnOfRepair(const MeshFile& file, const RepairReport& report, const Stages& stages)
 {
-  const auto count = [](std::size_t number, const char* one, const char* more)
-  { return std::to_string(number) + " " + (number == 1 ? one : more); };
   const InvalidFaces& removed = report.removed;
   if (removed.collapsed > 0)
   {
-    stages.Warn(count(removed.collapsed, "face has", "faces have") +
+    stages.Warn(Count(removed.collapsed, "face has", "faces have") +
         " fewer than three different corners and are left out",
       "check the mesh");
   }
   if (removed.notFinite > 0)
   {
-    stages.Warn(count(removed.notFinite, "face has a corner", "faces have corners") +
+    stages.Warn(Count(removed.notFinite, "face has a corner", "faces have corners") +
         " whose coordinates are not finite, and are left out",
       "check the mesh");
-  }
-  const std::size_t odd = report.orientation.oddEdges;
-  if (odd > 0)
-  {
-    stages.Warn("the surface cannot be oriented, as it is one-sided like a Moebius strip: the "
-                "faces at " +
-        count(odd, "edge", "edges") + " keep opposite orientations",
-      "cut it there");
   }
   const std::string grain = WarnOfGrain(file.mesh);
   if (!grain.empty())
   {
     stages.Warn(grain,
-      "store the coordinates in double precision, or nearer to the origin; --neighborhood "
-      "automatic "
-      "reduces the effect");
+      "store the coordinates in double precision or nearer to the origin, or add --neighborhood "
+      "automatic");
   }
 }
 
-vtkSmartPointer<vtkPolyData> ReadAndRepair(
-  const Options& options, Stages& stages, std::size_t& joinedPoints)
+/// The mesh of the file as the filters get it.
+vtkSmartPointer<vtkPolyData> ReadAndRepair(const Options& options, Stages& stages, Results& results)
 {
   MeshFile file;
   RepairReport report;
@@ -171,11 +169,126 @@ vtkSmartPointer<vtkPolyData> ReadAndRepair(
       const bool isSoup = !file.hasNeighbours && repair.joining == Joining::Borders;
       repair.joining = isSoup ? Joining::All : repair.joining;
       report = RepairMesh(file.mesh, repair);
+      if (file.mesh.NumberOfFaces() == 0)
+      {
+        throw Failure(options.mesh + " has no face with three different corners at finite places",
+          "give the mesh of a surface");
+      }
     });
   WarnOfRepair(file, report, stages);
-  // In STL all are: that says nothing.
-  joinedPoints = file.hasNeighbours ? report.joinedPoints : 0;
+  stages.SetHint("vtkPolyDataNormals",
+    report.orientation.oddEdges > 0
+      ? "the surface is one-sided, as a Moebius strip is: no orientation suits all of it"
+      : "add --orient");
+  stages.SetHint("vtkStaticCleanPolyData",
+    options.repair.joining == Joining::None ? "leave out --no-merge" : "--merge joins them");
+  // In STL all points are joined: that says nothing.
+  results.joinedPoints = file.hasNeighbours ? report.joinedPoints : 0;
   return file.data && !report.HasChanged() ? file.data : file.mesh.ToPolyData();
+}
+
+vtkIdType CountPoints(vtkPolyData* fitted, int status)
+{
+  vtkDataArray* array = fitted->GetPointData()->GetArray(vtkRidgesArrayNames::FitStatus);
+  vtkIdType count = 0;
+  for (vtkIdType i = 0; array && i < array->GetNumberOfTuples(); ++i)
+  {
+    count += (static_cast<int>(array->GetTuple1(i)) & status) != 0 ? 1 : 0;
+  }
+  return count;
+}
+
+/// Fails if no point has a fit: then there is nothing to find.
+void CheckFits(vtkPolyData* fitted)
+{
+  const vtkIdType points = fitted->GetNumberOfPoints();
+  if (points > 0 && CountPoints(fitted, vtkJetFitting::FIT_INVALID) == points)
+  {
+    throw Failure("no polynomial can be fitted at any of the " + std::to_string(points) +
+        " points: they have too few neighbours in " + std::to_string(fitted->GetNumberOfPolys()) +
+        " triangles",
+      "give a finer mesh, whose triangles share their points");
+  }
+}
+
+/// What to do about warnings of the fit.
+std::string FitAdvice(vtkPolyData* fitted)
+{
+  const vtkIdType few =
+    CountPoints(fitted, vtkJetFitting::FIT_INVALID | vtkJetFitting::FIT_TOO_FEW_POINTS);
+  return 2 * few > fitted->GetNumberOfPoints()
+    ? "give a finer mesh: " + std::to_string(fitted->GetNumberOfPolys()) + " triangles are too few"
+    : "see Jet fitting in vtkridges --help-all";
+}
+
+/// Runs the filters one after the other, from the mesh to the ridges that are kept.
+void RunFilters(const Options& options, Filters& filters, Stages& stages, Results& results)
+{
+  const std::string seeHelp = "see the options of this stage in vtkridges --help-all";
+  const auto run = [&stages, &seeHelp](const char* name, vtkAlgorithm* filter)
+  { stages.Run(name, seeHelp, filter, [filter] { filter->Update(); }); };
+  if (options.mesh.empty())
+  {
+    results.name = "example";
+    run("read", filters.example);
+    filters.jetFitting->SetInputConnection(filters.example->GetOutputPort());
+  }
+  else
+  {
+    results.name = options.mesh;
+    filters.jetFitting->SetInputData(ReadAndRepair(options, stages, results));
+  }
+  filters.umbilics->SetInputConnection(filters.jetFitting->GetOutputPort());
+  filters.ridges->SetInputConnection(filters.umbilics->GetOutputPort());
+  filters.sharpness->SetInputConnection(filters.ridges->GetOutputPort());
+  vtkJetFitting* jetFitting = filters.jetFitting;
+  stages.Run(
+    "jet fitting", [jetFitting] { return FitAdvice(jetFitting->GetOutput()); }, jetFitting,
+    [jetFitting]
+    {
+      jetFitting->Update();
+      CheckFits(jetFitting->GetOutput());
+    });
+  run("umbilics", filters.umbilics);
+  run("ridges", filters.ridges);
+  run("filter", filters.sharpness);
+  if (options.check)
+  {
+    filters.coherence->SetInputConnection(0, filters.umbilics->GetOutputPort(0));
+    filters.coherence->SetInputConnection(1, filters.ridges->GetOutputPort());
+    filters.coherence->SetInputConnection(2, filters.umbilics->GetOutputPort(1));
+    run("checks", filters.coherence);
+    results.checks = filters.coherence->GetOutput();
+  }
+  results.selectedRings = jetFitting->GetNeighborhood() == vtkJetFitting::AUTOMATIC
+    ? jetFitting->GetSelectedNumberOfRings()
+    : 0;
+  results.mesh = filters.umbilics->GetOutput();
+  results.umbilics = vtkPolyData::SafeDownCast(filters.umbilics->GetOutput(1));
+  results.allRidges = filters.ridges->GetOutput();
+  results.ridges = filters.sharpness->GetOutput();
+}
+
+vtkSmartPointer<vtkImageData> Draw(
+  const Options& options, const Results& results, vtkRidgeExampleSource* example)
+{
+  PictureOptions pictureOptions = options.picture;
+  if (options.mesh.empty() && !pictureOptions.view &&
+    example->GetSurface() == vtkRidgeExampleSource::BLEND)
+  {
+    // Where both parts of the blend and the valley between them are seen.
+    pictureOptions.view = { 1.0, -1.0, 0.4 };
+  }
+  return DrawPicture(results.mesh, results.ridges, results.umbilics, pictureOptions);
+}
+
+/// More threads than processors gain nothing, and some back ends complain.
+void SetThreads(int threads)
+{
+  if (threads > 0)
+  {
+    vtkSMPTools::Initialize(std::min(threads, vtkSMPTools::GetEstimatedNumberOfThreads()));
+  }
 }
 
 ExitCode Run(const Options& options, Filters& filters)
@@ -185,67 +298,17 @@ ExitCode Run(const Options& options, Filters& filters)
   {
     CheckDisplay();
   }
-  if (options.threads > 0)
-  {
-    vtkSMPTools::Initialize(options.threads);
-  }
-
+  SetThreads(options.threads);
   Stages stages(options.quiet);
-  const std::string seeHelp = "see --monge-order and the options of this stage in vtkridges --help";
-  const std::string seeFitting = "see --merge, --orient and Jet fitting in vtkridges --help";
-  vtkSmartPointer<vtkPolyData> mesh;
-  std::size_t joinedPoints = 0;
-  if (options.mesh.empty())
-  {
-    stages.Run("read", seeHelp, filters.example, [&] { filters.example->Update(); });
-    filters.jetFitting->SetInputConnection(filters.example->GetOutputPort());
-  }
-  else
-  {
-    mesh = ReadAndRepair(options, stages, joinedPoints);
-    filters.jetFitting->SetInputData(mesh);
-  }
-  filters.umbilics->SetInputConnection(filters.jetFitting->GetOutputPort());
-  filters.ridges->SetInputConnection(filters.umbilics->GetOutputPort());
-  filters.sharpness->SetInputConnection(filters.ridges->GetOutputPort());
-  const std::pair<const char*, vtkAlgorithm*> pipeline[] = {
-    { "jet fitting", filters.jetFitting },
-    { "umbilics", filters.umbilics },
-    { "ridges", filters.ridges },
-    { "filter", filters.sharpness },
-  };
-  for (const auto& [name, algorithm] : pipeline)
-  {
-    const std::string& advice = algorithm == filters.jetFitting.Get() ? seeFitting : seeHelp;
-    stages.Run(name, advice, algorithm, [algorithm = algorithm] { algorithm->Update(); });
-  }
-  if (options.check)
-  {
-    filters.coherence->SetInputConnection(0, filters.umbilics->GetOutputPort(0));
-    filters.coherence->SetInputConnection(1, filters.ridges->GetOutputPort());
-    filters.coherence->SetInputConnection(2, filters.umbilics->GetOutputPort(1));
-    stages.Run("checks", seeHelp, filters.coherence, [&] { filters.coherence->Update(); });
-  }
-  const Results results{ options.mesh.empty() ? "example" : options.mesh,
-    filters.umbilics->GetOutput(), vtkPolyData::SafeDownCast(filters.umbilics->GetOutput(1)),
-    filters.ridges->GetOutput(), filters.sharpness->GetOutput(),
-    options.check ? filters.coherence->GetOutput() : nullptr, joinedPoints };
+  Results results;
+  RunFilters(options, filters, stages, results);
 
   vtkSmartPointer<vtkImageData> picture;
   if (!options.noPicture)
   {
     stages.Run("picture", "add --no-picture", nullptr,
-      [&]
-      {
-        PictureOptions pictureOptions = options.picture;
-        if (options.mesh.empty() && !pictureOptions.view &&
-          filters.example->GetSurface() == vtkRidgeExampleSource::BLEND)
-        {
-          // Where both parts of the blend and the valley between them are seen.
-          pictureOptions.view = { 1.0, -1.0, 0.4 };
-        }
-        picture = DrawPicture(results.mesh, results.ridges, results.umbilics, pictureOptions);
-      });
+      [&picture, &options, &results, &filters]
+      { picture = Draw(options, results, filters.example); });
   }
   stages.Run("write", "check the disk and the permissions", nullptr,
     [&options, &results, &picture] { WriteFiles(options, results, picture); });

@@ -1,0 +1,115 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkRidges contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "OptionChecks.h"
+
+#include <algorithm>
+
+namespace program
+{
+namespace
+{
+
+/// Options that were given although they have no effect.
+void CheckEffects(const CLI::App& app, const Options& options, const Filters& filters)
+{
+  struct Condition
+  {
+    const char* option;
+    bool hasEffect;
+    const char* where;
+  };
+  const int neighborhood = filters.jetFitting->GetNeighborhood();
+  const bool isPrincipal = filters.ridges->GetExtremalityRule() == vtkRidgeExtraction::PRINCIPAL;
+  const bool hasPicture = !options.noPicture;
+  const Condition conditions[] = {
+    { "--merge", !options.mesh.empty(), "without MESH" },
+    { "--no-merge", !options.mesh.empty(), "without MESH" },
+    { "--orient", !options.mesh.empty(), "without MESH" },
+    { "--semi-axes", filters.example->GetSurface() == vtkRidgeExampleSource::ELLIPSOID,
+      "without --surface ellipsoid" },
+    { "--minimum-number-of-points", neighborhood == vtkJetFitting::BY_POINT_COUNT,
+      "without --neighborhood point-count" },
+    { "--number-of-rings", neighborhood == vtkJetFitting::BY_RINGS,
+      "without --neighborhood rings" },
+    { "--radius", neighborhood == vtkJetFitting::BY_RADIUS, "without --neighborhood radius" },
+    { "--umbilic-significance", filters.umbilics->GetMethod() == vtkUmbilicDetection::INDICES,
+      "with --umbilic-method minima" },
+    { "--umbilic-joining", isPrincipal, "with --extremality-rule gaussian" },
+    { "--extract", isPrincipal, "with --extremality-rule gaussian" },
+    { "--keep-crest-only", !filters.ridges->GetCrestOnly(), "with --crest-only" },
+    { "--picture-size", hasPicture, "with --no-picture" },
+    { "--view", hasPicture, "with --no-picture" },
+    { "--up", hasPicture, "with --no-picture" },
+    { "--check", options.strict || !options.quiet, "with --quiet and without --strict" },
+  };
+  for (const Condition& condition : conditions)
+  {
+    if (!condition.hasEffect && app.count(condition.option) > 0)
+    {
+      throw Contradiction(std::string(condition.option) + " has no effect " + condition.where);
+    }
+  }
+}
+
+void CheckFit(const Filters& filters)
+{
+  constexpr int fourthOrder = 4;
+  const int order = std::min(filters.jetFitting->GetMongeOrder(), filters.jetFitting->GetDegree());
+  if (order < fourthOrder && filters.ridges->GetTypeRule() == vtkRidgeExtraction::FOURTH_ORDER)
+  {
+    throw Contradiction("--degree and --monge-order less than 4 need --type-rule third-order");
+  }
+  if (filters.jetFitting->GetNeighborhood() == vtkJetFitting::BY_RADIUS &&
+    filters.jetFitting->GetRadius() <= 0.0)
+  {
+    throw Contradiction("--neighborhood radius needs a positive --radius");
+  }
+}
+
+void CheckChecks(const CLI::App& app, const Options& options, const Filters& filters)
+{
+  if (!options.check)
+  {
+    return;
+  }
+  if (app.count("--extract") + app.count("--crest-only") > 0)
+  {
+    throw Contradiction("--check needs all ridges, without --extract and --crest-only");
+  }
+  if (filters.ridges->GetExtremalityRule() == vtkRidgeExtraction::GAUSSIAN)
+  {
+    throw Contradiction("--check needs --extremality-rule principal");
+  }
+}
+
+} // namespace
+
+void CheckOptions(const CLI::App& app, const Options& options, const Filters& filters)
+{
+  if (app.count("MESH") > 0 && options.mesh.empty())
+  {
+    throw Contradiction("the name of MESH is empty, as from a variable that is not set");
+  }
+  if (app.count("--output") > 0 && options.output.empty())
+  {
+    throw Contradiction("--output is empty");
+  }
+  const double* axes = filters.example->GetSemiAxes();
+  if (std::min({ axes[0], axes[1], axes[2] }) <= 0.0)
+  {
+    throw Contradiction("the three --semi-axes must be positive");
+  }
+  for (const std::optional<std::array<double, 3>>& direction :
+    { options.picture.view, options.picture.up })
+  {
+    if (direction && *direction == std::array<double, 3>{ 0.0, 0.0, 0.0 })
+    {
+      throw Contradiction("--view and --up need a direction, which 0,0,0 is not");
+    }
+  }
+  CheckEffects(app, options, filters);
+  CheckFit(filters);
+  CheckChecks(app, options, filters);
+}
+
+} // namespace program
