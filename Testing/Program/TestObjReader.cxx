@@ -77,6 +77,7 @@ TEST(ObjReader, RejectsInvalidStatements)
     { "f 1 2\n", "line 4: a face needs three corners" },
     { "v 1 2\n", "line 4: a vertex needs three numbers" },
     { "v 1,5 2,5 3,5\n", "line 4: a vertex needs three numbers" },
+    { "v 1 1 0\nf 1 2 3", "line 5: the file stops in a line, and 1 of its vertices" },
     { "v 1 2 3x\n", "line 4: a vertex needs three numbers" },
   };
   for (const auto& [text, expected] : invalid)

@@ -5,7 +5,9 @@
 #include "Console.h"
 #include "Reading/TextLines.h"
 
+#include <algorithm>
 #include <optional>
+#include <vector>
 
 namespace program
 {
@@ -20,7 +22,7 @@ public:
   {
   }
 
-  PolygonMesh Parse()
+  PolygonMesh Parse(std::string_view text)
   {
     while (this->Lines.NextLine())
     {
@@ -43,10 +45,33 @@ public:
           std::to_string(count),
         "give a complete file");
     }
+    this->CheckEnd(text);
     return std::move(this->Mesh);
   }
 
 private:
+  /// Nothing in the format says where a file ends: one that stops in a line, with vertices that no
+  /// face has used yet, was cut.
+  void CheckEnd(std::string_view text) const
+  {
+    if (text.empty() || text.back() == '\n' || text.back() == '\r')
+    {
+      return;
+    }
+    std::vector<bool> isUsed(this->Mesh.points.size(), false);
+    for (const vtkIdType corner : this->Mesh.corners)
+    {
+      isUsed[static_cast<std::size_t>(corner)] = true;
+    }
+    const auto unused = std::count(isUsed.begin(), isUsed.end(), false);
+    if (unused > 0)
+    {
+      this->Lines.Fail("the file stops in a line, and " + std::to_string(unused) +
+          " of its vertices are in no face",
+        "give a complete file");
+    }
+  }
+
   /// The next word of a statement, which a backslash at the end of a line continues.
   std::string_view Word()
   {
@@ -132,7 +157,7 @@ PolygonMesh ParseObj(std::string_view text, const std::string& fileName)
     throw Failure(fileName + " has zero bytes, which the text of an OBJ file never has",
       "give a mesh in OBJ format, in ASCII or UTF-8");
   }
-  return ObjParser(text, fileName).Parse();
+  return ObjParser(text, fileName).Parse(text);
 }
 
 } // namespace program

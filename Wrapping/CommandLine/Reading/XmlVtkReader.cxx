@@ -3,6 +3,7 @@
 #include "Reading/XmlVtkReader.h"
 
 #include "Console.h"
+#include "Reading/XmlVtkChecks.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
@@ -13,49 +14,10 @@
 #include "vtkUnsignedCharArray.h"
 #include "vtkXMLPolyDataReader.h"
 
-#include <cstdlib>
-
 namespace program
 {
 namespace
 {
-
-void CheckComplete(const std::string& bytes, const std::string& fileName)
-{
-  if (bytes.find("<VTKFile") == std::string::npos)
-  {
-    throw Failure(fileName + " is not a file in VTK's XML format, it has no element VTKFile",
-      "give a mesh in that format");
-  }
-  const std::size_t last = bytes.find_last_not_of(" \t\r\n");
-  const std::string end = "</VTKFile>";
-  if (last + 1 < end.size() || bytes.compare(last + 1 - end.size(), end.size(), end) != 0)
-  {
-    throw Failure(fileName + " does not end with " + end, "give a complete file");
-  }
-}
-
-/// A false count cannot make VTK allocate: compression saves at most a factor of about 1000, and
-/// the least array of a count has 4 bytes for each.
-void CheckCounts(const std::string& bytes, const std::string& fileName)
-{
-  const bool isCompressed = bytes.find("compressor=") != std::string::npos;
-  const double most = (isCompressed ? 250.0 : 1.0) * static_cast<double>(bytes.size());
-  const std::string attribute = " NumberOf";
-  for (std::size_t at = bytes.find(attribute); at != std::string::npos;
-       at = bytes.find(attribute, at + 1))
-  {
-    const std::size_t quote = bytes.find_first_of("\"'", at);
-    const double count =
-      quote == std::string::npos ? 0.0 : std::strtod(bytes.c_str() + quote + 1, nullptr);
-    if (!(count >= 0.0 && count <= most))
-    {
-      throw Failure(fileName + ": " + bytes.substr(at + 1, bytes.find('=', at) - at - 1) +
-          " is more than the file can hold",
-        "give a complete file");
-    }
-  }
-}
 
 void CheckCorners(
   const vtkIdType* ids, vtkIdType size, vtkIdType numberOfPoints, const std::string& fileName)
@@ -75,8 +37,7 @@ void CheckCorners(
 
 vtkSmartPointer<vtkPolyData> ParseXmlVtk(const std::string& bytes, const std::string& fileName)
 {
-  CheckComplete(bytes, fileName);
-  CheckCounts(bytes, fileName);
+  CheckXmlVtk(bytes, fileName);
   vtkNew<vtkXMLPolyDataReader> reader;
   reader->ReadFromInputStringOn();
   reader->SetInputString(bytes);

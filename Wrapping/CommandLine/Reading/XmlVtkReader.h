@@ -11,9 +11,8 @@ namespace program
 {
 
 /**
- * Reads a polygonal dataset in VTK's XML format by vtkXMLPolyDataReader, after checks that it does
- * not make itself: the file must be complete, and its counts possible for its size. Throws Failure;
- * what the reader reports goes to vtkOutputWindow.
+ * Reads a polygonal dataset in VTK's XML format by vtkXMLPolyDataReader, after the checks of
+ * CheckXmlVtk. Throws Failure; what the reader reports goes to vtkOutputWindow.
  */
 vtkSmartPointer<vtkPolyData> ParseXmlVtk(const std::string& bytes, const std::string& fileName);
 
