@@ -12,54 +12,17 @@
 #include "vtkInformation.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
-#include "vtkSMPThreadLocal.h"
 
+#include <algorithm>
 #include <cmath>
-#include <memory>
+#include <cstdint>
+#include <utility>
+#include <vector>
 
 vtkStandardNewMacro(vtkUmbilicDetection);
 
 namespace
 {
-
-struct FindCandidates
-{
-  FindCandidates(const ridges::TriangleMesh& mesh, const ridges::MongeField& field, double size)
-    : Mesh(mesh)
-    , Field(field)
-    , PatchSize(size)
-    , IsCandidate(mesh.NumberOfTriangles(), 0)
-  {
-  }
-
-  void operator()(vtkIdType begin, vtkIdType end)
-  {
-    std::shared_ptr<ridges::UmbilicDetector>& detector = this->PerThread.Local();
-    if (!detector)
-    {
-      detector =
-        std::make_shared<ridges::UmbilicDetector>(this->Mesh, this->Field, this->PatchSize);
-    }
-    for (vtkIdType t = begin; t < end; ++t)
-    {
-      this->IsCandidate[t] = detector->Minimizes(static_cast<ridges::Id>(t)) ? 1 : 0;
-    }
-  }
-
-  std::vector<ridges::Id> Collect() const
-  {
-    return vtkRidgesWhere(
-      this->Mesh.NumberOfTriangles(), [this](ridges::Id t) { return this->IsCandidate[t] != 0; });
-  }
-
-private:
-  const ridges::TriangleMesh& Mesh;
-  const ridges::MongeField& Field;
-  double PatchSize;
-  std::vector<std::uint8_t> IsCandidate;
-  // Shared, as vtkSMPThreadLocal copies the (empty) value it starts from.
-  vtkSMPThreadLocal<std::shared_ptr<ridges::UmbilicDetector>> PerThread;
-};
 
 bool IsClosed(const ridges::TriangleMesh& mesh)
 {
@@ -141,13 +104,27 @@ bool vtkUmbilicDetection::FindMinima(
 {
   const ridges::TriangleMesh& mesh = monge.mesh.GetTriangles();
   const ridges::MongeField& field = monge.arrays.GetField();
-  FindCandidates findCandidates(mesh, field, this->PatchSize);
-  if (!vtkRidgesForBatches(this, mesh.NumberOfTriangles(), 0.1, 0.9, findCandidates))
+  std::vector<std::uint8_t> isSmallest(mesh.NumberOfTriangles(), 0);
+  const auto compareWithNeighbors = [&mesh, &field, &isSmallest](vtkIdType begin, vtkIdType end)
+  {
+    for (vtkIdType t = begin; t < end; ++t)
+    {
+      isSmallest[t] =
+        ridges::MinimizesGapInOneRing(mesh, field, static_cast<ridges::Id>(t)) ? 1 : 0;
+    }
+  };
+  if (!vtkRidgesForBatches(this, mesh.NumberOfTriangles(), 0.1, 0.9, compareWithNeighbors))
   {
     return false;
   }
+  std::vector<ridges::Id> candidates = vtkRidgesWhere(
+    mesh.NumberOfTriangles(), [&isSmallest](ridges::Id t) { return isSmallest[t] != 0; });
+  // Few are left, so that their patches can be grown on one thread.
   ridges::UmbilicDetector detector(mesh, field, this->PatchSize);
-  found.umbilics = detector.Select(findCandidates.Collect());
+  candidates.erase(std::remove_if(candidates.begin(), candidates.end(),
+                     [&detector](ridges::Id t) { return !detector.Minimizes(t); }),
+    candidates.end());
+  found.umbilics = detector.Select(std::move(candidates));
   return true;
 }
 
