@@ -21,9 +21,9 @@ fi
 [ -e "$directory/etc/debian_version" ] ||
   debootstrap --variant=minbase "$suite" "$directory" >"$directory.log"
 for system in sys dev; do
-  mount --bind "/$system" "$directory/$system"
+  mount --rbind "/$system" "$directory/$system"
 done
-mount -t proc proc "$directory/proc" # CMake and MPI ask for the processor
+mount -t proc proc "$directory/proc"
 
 rm -rf "$directory/vtkridges"
 git clone --quiet --no-hardlinks "$root" "$directory/vtkridges"
