@@ -3,6 +3,7 @@
 #include "vtkRidgeExtraction.h"
 
 #include "Core/Mesh/EnclosingSphere.h"
+#include "Core/Monge/AcuteRule.h"
 #include "Core/Ridges/PurplePoints.h"
 #include "Core/Ridges/RidgeMeasures.h"
 #include "Core/Umbilics/UmbilicForm.h"

@@ -3,7 +3,7 @@
 #ifndef vtkRidgesCollect_h
 #define vtkRidgesCollect_h
 
-#include "Core/Mesh/TriangleMesh.h"
+#include "Core/Base/Types.h"
 
 #include "vtkSMPTools.h"
 

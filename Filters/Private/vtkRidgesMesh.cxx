@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRidgesMesh.h"
 
-#include "vtkRidgesFinite.h"
+#include "Core/Base/Finite.h"
 #include "vtkRidgesTriangulate.h"
 
 #include "vtkCellArray.h"
@@ -133,7 +133,7 @@ bool AllFinite(const double* points, vtkIdType count)
   ForRanges(count,
     [&](vtkIdType begin, vtkIdType end)
     {
-      if (!vtkRidgesAllFinite(points + 3 * begin, points + 3 * end))
+      if (!ridges::AllFinite(points + 3 * begin, points + 3 * end))
       {
         finite = false;
       }
@@ -253,7 +253,7 @@ ridges::Buffer<Triangle> vtkRidgesMesh::Adjacency::FetchGoodTriangles(
   std::vector<std::uint8_t> isUsable(numberOfPoints, 0);
   for (vtkIdType p = 0; p < numberOfPoints; ++p)
   {
-    const bool finite = vtkRidgesAllFinite(this->points + 3 * p, this->points + 3 * p + 3);
+    const bool finite = ridges::AllFinite(this->points + 3 * p, this->points + 3 * p + 3);
     isUsable[p] = finite && (usable.empty() || usable[p] != 0) ? 1 : 0;
   }
   vtkCellArray* polys = data->GetPolys();

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRidgesMongeArrays.h"
 
+#include "Core/Base/Finite.h"
 #include "Core/Fit/JetFit.h"
 #include "vtkRidgesArrayNames.h"
-#include "vtkRidgesFinite.h"
 
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
@@ -115,14 +115,14 @@ const double* vtkRidgesMongeArrays::FetchArray(vtkPolyData* mesh, const char* na
   const auto check = [&](vtkIdType begin, vtkIdType end)
   {
     // Point by point only where something is wrong.
-    if (vtkRidgesAllFinite(values + components * begin, values + components * end))
+    if (ridges::AllFinite(values + components * begin, values + components * end))
     {
       return;
     }
     for (vtkIdType p = begin; p < end; ++p)
     {
       const double* tuple = values + components * p;
-      if (!vtkRidgesAllFinite(tuple, tuple + components))
+      if (!ridges::AllFinite(tuple, tuple + components))
       {
         this->Usable[p] = 0;
       }

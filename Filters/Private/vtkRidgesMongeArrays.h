@@ -3,7 +3,7 @@
 #ifndef vtkRidgesMongeArrays_h
 #define vtkRidgesMongeArrays_h
 
-#include "Core/Monge/AcuteRule.h"
+#include "Core/Monge/MongeField.h"
 
 #include <array>
 #include <cstdint>

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRidgesPictureInput.h"
 
-#include "Core/Umbilics/DirectionIndex.h"
 #include "vtkRidgesArrayNames.h"
 
 #include "vtkCellArray.h"

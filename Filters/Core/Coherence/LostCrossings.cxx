@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Coherence/LostCrossings.h"
 
+#include "Monge/AcuteRule.h"
+
 #include <algorithm>
 #include <unordered_map>
 #include <unordered_set>

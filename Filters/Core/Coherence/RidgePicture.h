@@ -3,7 +3,8 @@
 #ifndef ridges_RidgePicture_h
 #define ridges_RidgePicture_h
 
-#include "Monge/AcuteRule.h"
+#include "Mesh/TriangleMesh.h"
+#include "Monge/MongeField.h"
 #include "Ridges/RidgeType.h"
 
 #include <vector>

@@ -3,7 +3,8 @@
 #ifndef ridges_FitErrors_h
 #define ridges_FitErrors_h
 
-#include "Monge/AcuteRule.h"
+#include "Mesh/TriangleMesh.h"
+#include "Monge/MongeField.h"
 
 namespace ridges
 {

@@ -3,7 +3,8 @@
 #ifndef ridges_FlatTriangle_h
 #define ridges_FlatTriangle_h
 
-#include "Monge/AcuteRule.h"
+#include "Mesh/TriangleMesh.h"
+#include "Monge/MongeField.h"
 
 #include <array>
 

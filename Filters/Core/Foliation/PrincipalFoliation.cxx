@@ -3,6 +3,7 @@
 #include "Foliation/PrincipalFoliation.h"
 
 #include "Mesh/PositionOrder.h"
+#include "Monge/AcuteRule.h"
 
 #include <algorithm>
 #include <cmath>

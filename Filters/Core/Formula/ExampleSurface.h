@@ -3,7 +3,11 @@
 #ifndef ridges_ExampleSurface_h
 #define ridges_ExampleSurface_h
 
-#include "Mesh/TriangleMesh.h"
+#include "Mesh/Triangle.h"
+
+#include <Eigen/Core>
+
+#include <vector>
 
 namespace ridges
 {

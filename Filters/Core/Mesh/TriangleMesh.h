@@ -4,48 +4,15 @@
 #define ridges_TriangleMesh_h
 
 #include "Base/Buffer.h"
+#include "Mesh/Triangle.h"
 
 #include <Eigen/Core>
 
-#include <array>
 #include <cstdint>
-#include <functional>
 #include <vector>
 
 namespace ridges
 {
-
-/// Index of a point, an edge or a triangle. 32 bits keep the adjacency small.
-using Id = std::int32_t;
-
-/// Runs body(begin, end) over ranges that make up [0, count), maybe at the same time: how callers
-/// lend threads to the numerics, which have none of their own.
-using RangeLoop = std::function<void(Id count, const std::function<void(Id, Id)>& body)>;
-
-/// Corners of a triangle, in the order that orients it.
-using Triangle = std::array<Id, 3>;
-
-/// A run of consecutive values owned by somebody else.
-template <typename T>
-struct Span
-{
-  const T* first = nullptr;
-  const T* last = nullptr;
-
-  const T* begin() const { return first; }
-  const T* end() const { return last; }
-  Id size() const { return static_cast<Id>(last - first); }
-  const T& operator[](Id i) const { return first[i]; }
-};
-
-/// An undirected edge, from the smaller point id to the larger, and the triangles at its sides.
-struct Edge
-{
-  Id v0;
-  Id v1;
-  Id t0;
-  Id t1; ///< The second triangle, or TriangleMesh::Border, or TriangleMesh::NonManifold.
-};
 
 /**
  * Triangles over points that the caller keeps, with the adjacency all later steps walk on: the

@@ -3,6 +3,7 @@
 #include "Monge/MongeInterpolation.h"
 
 #include "Base/SymmetricTensor.h"
+#include "Monge/AcuteRule.h"
 
 #include <Eigen/Geometry>
 

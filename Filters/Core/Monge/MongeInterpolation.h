@@ -4,7 +4,7 @@
 #define ridges_MongeInterpolation_h
 
 #include "Base/SymmetricTensor.h"
-#include "Monge/AcuteRule.h"
+#include "Monge/MongeField.h"
 #include "Monge/MongeForm.h"
 
 namespace ridges

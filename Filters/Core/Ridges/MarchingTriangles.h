@@ -11,12 +11,6 @@
 namespace ridges
 {
 
-enum class TypeRule
-{
-  FourthOrder, ///< The sign of P, equation (3).
-  ThirdOrder   ///< Section 5.3, see IsEllipticByThirdOrder.
-};
-
 /**
  * A piece of a ridge inside one triangle: from edge to edge in a regular triangle, from an edge
  * to the umbilic in a singular one.

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Ridges/RidgeCrossings.h"
 
+#include "Monge/AcuteRule.h"
+
 #include <utility>
 
 namespace ridges

@@ -10,15 +10,6 @@
 namespace ridges
 {
 
-/// Which sign changes are ridges.
-enum class ExtremalityRule
-{
-  Principal, ///< Of b0 or b3, by the acute rule: ridges of one colour.
-  /// Of the Gaussian extremality b0 b3, which needs no rule (sections 4.2.2 and 5.2.3): ridges of
-  /// both colours, cut and joined to each other at purple points, and broken at umbilics.
-  Gaussian
-};
-
 /**
  * The edges that ridges of one colour cross, and the points where they do, each found once: an edge
  * has two triangles, and the point is asked for again when the ridge is put together.

@@ -3,6 +3,7 @@
 #include "Ridges/RidgePoint.h"
 
 #include "Mesh/PositionOrder.h"
+#include "Monge/AcuteRule.h"
 #include "Monge/MongeInterpolation.h"
 #include "Umbilics/UmbilicForm.h"
 

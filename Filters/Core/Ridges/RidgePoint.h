@@ -3,17 +3,12 @@
 #ifndef ridges_RidgePoint_h
 #define ridges_RidgePoint_h
 
-#include "Monge/AcuteRule.h"
+#include "Mesh/TriangleMesh.h"
+#include "Monge/MongeField.h"
+#include "Ridges/RidgeRules.h"
 
 namespace ridges
 {
-
-/// Where on a crossed edge the crossing is put.
-enum class CrossingRule
-{
-  Form,  ///< Where the extremality of MongeInterpolation vanishes.
-  Linear ///< By equation (4). The same wherever the principal frames of the ends are parallel.
-};
 
 /// A point of a ridge, with the quantities of its colour interpolated there.
 struct RidgePoint

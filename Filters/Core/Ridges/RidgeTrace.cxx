@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Ridges/RidgeTrace.h"
 
+#include "Monge/AcuteRule.h"
 #include "Umbilics/UmbilicForm.h"
 
 #include <algorithm>

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Ridges/RidgeType.h"
 
+#include "Monge/AcuteRule.h"
+
 #include <Eigen/Geometry>
 
 namespace ridges

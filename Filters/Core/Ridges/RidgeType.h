@@ -3,7 +3,8 @@
 #ifndef ridges_RidgeType_h
 #define ridges_RidgeType_h
 
-#include "Monge/AcuteRule.h"
+#include "Mesh/TriangleMesh.h"
+#include "Monge/MongeField.h"
 
 namespace ridges
 {

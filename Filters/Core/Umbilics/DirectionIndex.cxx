@@ -3,6 +3,7 @@
 #include "Umbilics/DirectionIndex.h"
 
 #include "Mesh/PositionOrder.h"
+#include "Monge/AcuteRule.h"
 
 #include <Eigen/Geometry>
 
@@ -37,12 +38,6 @@ DirectionIndex::DirectionIndex(
   , Field_(field)
   , Usable_(usable)
 {
-}
-
-bool AreUsable(const Triangle& corners, const std::uint8_t* usable)
-{
-  return !usable ||
-    std::all_of(corners.begin(), corners.end(), [usable](Id p) { return usable[p] != 0; });
 }
 
 bool DirectionIndex::IsTame(Id point) const

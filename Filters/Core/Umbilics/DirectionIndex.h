@@ -3,15 +3,13 @@
 #ifndef ridges_DirectionIndex_h
 #define ridges_DirectionIndex_h
 
-#include "Monge/AcuteRule.h"
+#include "Mesh/TriangleMesh.h"
+#include "Monge/MongeField.h"
 
 #include <array>
 
 namespace ridges
 {
-
-/// Whether all three corners have directions, by a flag for each point; null means all have.
-bool AreUsable(const Triangle& corners, const std::uint8_t* usable);
 
 /**
  * The index of the principal directions around triangles: a number of half turns that, summed over

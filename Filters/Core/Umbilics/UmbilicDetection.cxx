@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Umbilics/UmbilicDetection.h"
 
+#include "Monge/AcuteRule.h"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>

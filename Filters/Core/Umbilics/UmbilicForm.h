@@ -4,7 +4,8 @@
 #define ridges_UmbilicForm_h
 
 #include "Base/SymmetricTensor.h"
-#include "Monge/AcuteRule.h"
+#include "Mesh/TriangleMesh.h"
+#include "Monge/MongeField.h"
 
 namespace ridges
 {

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Umbilics/UmbilicGathering.h"
 
+#include "Monge/AcuteRule.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>

@@ -7,12 +7,13 @@
 #define RIDGES_TESTING_TEST_FIELDS_H
 
 #include "AnalyticSurface.h"
+#include "Mesh/TriangleMesh.h"
+#include "Monge/MongeField.h"
 #include "TestMeshes.h"
 
 #include "Formula/ExampleSurface.h"
 #include "Mesh/OrderedRings.h"
 #include "Mesh/RingNeighborhood.h"
-#include "Monge/AcuteRule.h"
 #include "Monge/MongeForm.h"
 
 #include <cstdint>

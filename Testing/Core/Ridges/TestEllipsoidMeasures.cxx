@@ -6,6 +6,7 @@
 
 #include "Fixtures/EllipsoidFixture.h"
 
+#include "Monge/AcuteRule.h"
 #include "Ridges/RidgeMeasures.h"
 
 #include <gtest/gtest.h>

@@ -5,6 +5,7 @@
 
 #include "Fixtures/EllipsoidFixture.h"
 
+#include "Monge/AcuteRule.h"
 #include "Monge/MongeInterpolation.h"
 #include "Ridges/MarchingTriangles.h"
 #include "Umbilics/UmbilicForm.h"

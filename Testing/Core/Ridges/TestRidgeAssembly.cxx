@@ -5,6 +5,7 @@
 
 #include "Fixtures/EllipsoidFixture.h"
 
+#include "Monge/AcuteRule.h"
 #include "Ridges/RidgeAssembly.h"
 
 #include <gtest/gtest.h>

@@ -6,6 +6,7 @@
 
 #include "Fixtures/TriangleSets.h"
 
+#include "Monge/AcuteRule.h"
 #include "Umbilics/DirectionIndex.h"
 #include "Umbilics/IndexCharge.h"
 

@@ -5,6 +5,7 @@
 
 #include "Fixtures/EllipsoidFixture.h"
 
+#include "Monge/AcuteRule.h"
 #include "Umbilics/UmbilicDetection.h"
 
 #include <Eigen/Geometry>

@@ -7,6 +7,7 @@
 #include "Fixtures/EllipsoidFixture.h"
 #include "Fixtures/TriangleSets.h"
 
+#include "Monge/AcuteRule.h"
 #include "Umbilics/DirectionIndex.h"
 #include "Umbilics/UmbilicGathering.h"
 

@@ -6,6 +6,7 @@
 
 #include "Fixtures/TriangleSets.h"
 
+#include "Monge/AcuteRule.h"
 #include "Ridges/Patch/PatchRidges.h"
 #include "Umbilics/UmbilicForm.h"
 #include "Umbilics/UmbilicPatch.h"

@@ -1,10 +1,13 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkRidges contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef vtkRidgesFinite_h
-#define vtkRidgesFinite_h
+#ifndef ridges_Finite_h
+#define ridges_Finite_h
+
+namespace ridges
+{
 
 /// Whether all values are finite: without a branch for each, as nearly always all are.
-inline bool vtkRidgesAllFinite(const double* begin, const double* end)
+inline bool AllFinite(const double* begin, const double* end)
 {
   constexpr int lanes = 8;
   double zeros[lanes] = {};
@@ -26,5 +29,7 @@ inline bool vtkRidgesAllFinite(const double* begin, const double* end)
   }
   return finite;
 }
+
+} // namespace ridges
 
 #endif

@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkRidges contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef ridges_Triangle_h
+#define ridges_Triangle_h
+
+#include "Base/Types.h"
+
+#include <algorithm>
+#include <array>
+
+namespace ridges
+{
+
+/// Corners of a triangle, in the order that orients it.
+using Triangle = std::array<Id, 3>;
+
+/// Whether all three corners have values, by a flag for each point; null means all have.
+inline bool AreUsable(const Triangle& corners, const std::uint8_t* usable)
+{
+  return !usable ||
+    std::all_of(corners.begin(), corners.end(), [usable](Id p) { return usable[p] != 0; });
+}
+
+/// An undirected edge, from the smaller point id to the larger, and the triangles at its sides.
+struct Edge
+{
+  Id v0;
+  Id v1;
+  Id t0;
+  Id t1; ///< The second triangle, or TriangleMesh::Border, or TriangleMesh::NonManifold.
+};
+
+} // namespace ridges
+
+#endif
