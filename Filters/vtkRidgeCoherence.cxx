@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRidgeCoherence.h"
 
-#include "Core/Coherence/CoherenceChecks.h"
+#include "Core/Coherence/CheckCoherence.h"
 #include "vtkRidgesArrayNames.h"
 #include "vtkRidgesPictureInput.h"
 

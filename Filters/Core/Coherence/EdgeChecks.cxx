@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkRidges contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Coherence/CoherenceChecks.h"
+#include "Coherence/EdgeChecks.h"
 
 #include "Coherence/LostCrossings.h"
 
@@ -215,18 +215,6 @@ CoherenceCheck CheckCrossings(const RidgePicture& picture, const std::vector<Who
   check.expected = "those of the acute rule";
   check.applies = picture.mesh->NumberOfEdges() > 0;
   return check;
-}
-
-std::vector<CoherenceCheck> CheckCoherence(const RidgePicture& picture, double leastCosine)
-{
-  const std::vector<WholeRidge> ridges = FindWholeRidges(picture);
-  return { CheckIndexSum(picture), CheckUmbilicsPerTriangle(picture),
-    CheckRidgesAtUmbilics(picture, ridges), CheckTypesAtUmbilics(picture, ridges),
-    CheckRidgeEnds(picture, ridges), CheckTurningPoints(picture, ridges),
-    CheckNoIntersections(picture, ridges), CheckPatches(picture),
-    CheckRidgesInPatches(picture, ridges), CheckPatchContours(picture, ridges),
-    CheckRightAngles(picture, leastCosine), CheckSingleCrossings(picture, ridges),
-    CheckPointsOnEdges(picture, ridges), CheckCrossings(picture, ridges) };
 }
 
 } // namespace ridges

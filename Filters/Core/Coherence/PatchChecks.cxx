@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkRidges contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Coherence/CoherenceChecks.h"
+#include "Coherence/PatchChecks.h"
 
 #include <algorithm>
 #include <map>

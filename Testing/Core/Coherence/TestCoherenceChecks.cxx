@@ -2,8 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The combinatorics of coherence on meshes small enough to count on fingers.
 
-#include "Coherence/CoherenceChecks.h"
+#include "Coherence/EdgeChecks.h"
 #include "Coherence/LostCrossings.h"
+#include "Coherence/PatchChecks.h"
+#include "Coherence/RidgeChecks.h"
+#include "Coherence/UmbilicChecks.h"
 #include "Fixtures/TestFields.h"
 #include "Ridges/Patch/PatchPaths.h"
 
