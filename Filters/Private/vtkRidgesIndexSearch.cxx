@@ -5,6 +5,7 @@
 #include "Core/Fit/FitErrors.h"
 #include "Core/Umbilics/DirectionIndex.h"
 #include "Core/Umbilics/UmbilicGathering.h"
+#include "Core/Umbilics/WeakZones.h"
 #include "vtkRidgesBatches.h"
 #include "vtkRidgesCollect.h"
 #include "vtkRidgesFitErrors.h"
