@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkUmbilicDetection.h"
 
-#include "Core/Umbilics/UmbilicDetection.h"
+#include "Core/Umbilics/GapMinima.h"
 #include "vtkRidgesBatches.h"
 #include "vtkRidgesCollect.h"
 #include "vtkRidgesIndexSearch.h"
@@ -120,11 +120,11 @@ bool vtkUmbilicDetection::FindMinima(
   std::vector<ridges::Id> candidates = vtkRidgesWhere(
     mesh.NumberOfTriangles(), [&isSmallest](ridges::Id t) { return isSmallest[t] != 0; });
   // Few are left, so that their patches can be grown on one thread.
-  ridges::UmbilicDetector detector(mesh, field, this->PatchSize);
+  ridges::GapMinima minima(mesh, field, this->PatchSize);
   candidates.erase(std::remove_if(candidates.begin(), candidates.end(),
-                     [&detector](ridges::Id t) { return !detector.Minimizes(t); }),
+                     [&minima](ridges::Id t) { return !minima.Minimizes(t); }),
     candidates.end());
-  found.umbilics = detector.Select(std::move(candidates));
+  found.umbilics = minima.Select(std::move(candidates));
   return true;
 }
 

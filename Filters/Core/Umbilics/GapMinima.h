@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkRidges contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#ifndef ridges_UmbilicDetection_h
-#define ridges_UmbilicDetection_h
+#ifndef ridges_GapMinima_h
+#define ridges_GapMinima_h
 
 #include "Umbilics/Umbilic.h"
 #include "Umbilics/UmbilicPatch.h"
@@ -30,10 +30,10 @@ double ContourIndex(
  * whose contour the index is +1/2 or -1/2, by growing gap. Where two patches would share a
  * triangle the one of smaller gap stands, so that no umbilic is counted twice.
  */
-class UmbilicDetector
+class GapMinima
 {
 public:
-  UmbilicDetector(const TriangleMesh& mesh, const MongeField& field, double patchSize);
+  GapMinima(const TriangleMesh& mesh, const MongeField& field, double patchSize);
 
   /// Whether the triangle is a candidate; the costly part, one call per triangle.
   bool Minimizes(Id triangle);

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkRidges contributors
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Umbilics/UmbilicDetection.h"
+#include "Umbilics/GapMinima.h"
 
 #include "Monge/AcuteRule.h"
 
@@ -74,8 +74,7 @@ double ContourIndex(
   return 0.5 * std::round(turned / Pi);
 }
 
-UmbilicDetector::UmbilicDetector(
-  const TriangleMesh& mesh, const MongeField& field, double patchSize)
+GapMinima::GapMinima(const TriangleMesh& mesh, const MongeField& field, double patchSize)
   : Mesh_(mesh)
   , Field_(field)
   , PatchSize_(patchSize)
@@ -83,7 +82,7 @@ UmbilicDetector::UmbilicDetector(
 {
 }
 
-bool UmbilicDetector::Minimizes(Id triangle)
+bool GapMinima::Minimizes(Id triangle)
 {
   if (!MinimizesGapInOneRing(this->Mesh_, this->Field_, triangle))
   {
@@ -95,7 +94,7 @@ bool UmbilicDetector::Minimizes(Id triangle)
     [&](Id t) { return TriangleGap(this->Mesh_, this->Field_, t) >= gap; });
 }
 
-Id UmbilicDetector::NearestSingularTriangle(Span<Id> patch) const
+Id GapMinima::NearestSingularTriangle(Span<Id> patch) const
 {
   const Eigen::Vector3d center = this->Mesh_.Centroid(patch[0]);
   Id nearest = patch[0];
@@ -112,7 +111,7 @@ Id UmbilicDetector::NearestSingularTriangle(Span<Id> patch) const
   return nearest;
 }
 
-std::vector<Umbilic> UmbilicDetector::Select(std::vector<Id> candidates)
+std::vector<Umbilic> GapMinima::Select(std::vector<Id> candidates)
 {
   std::sort(candidates.begin(), candidates.end(),
     [this](Id s, Id t)

@@ -1,19 +1,16 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkRidges contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Indices and kinds of umbilics on made-up fields, and those of surfaces where they are known.
+// What the cubic form says about an umbilic: forms with known roots, and random ones against counting.
 
-#include "Fixtures/EllipsoidFixture.h"
+#include "Fixtures/TestFields.h"
 
-#include "Monge/AcuteRule.h"
-#include "Umbilics/UmbilicDetection.h"
+#include "Umbilics/UmbilicForm.h"
 
-#include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
-#include <algorithm>
+#include <array>
 #include <cmath>
-#include <iostream>
 #include <map>
 #include <random>
 
@@ -25,34 +22,6 @@ using namespace ridges::testing;
 using Eigen::Vector3d;
 
 const double Pi = std::acos(-1.0);
-
-// The index along a circle in the plane z = 0 of the directions that turn `index` times, each with
-// a random sign.
-double IndexOfTurningField(double index, int count, bool clockwise)
-{
-  std::mt19937_64 generator(61);
-  FieldArrays arrays(count);
-  std::vector<Id> contour;
-  for (int i = 0; i < count; ++i)
-  {
-    const double angle = 2.0 * Pi * i / count;
-    MongeForm form;
-    form.n = Vector3d::UnitZ();
-    form.d1 = Vector3d(std::cos(index * angle + 0.3), std::sin(index * angle + 0.3), 0.0);
-    form.d2 = form.n.cross(form.d1);
-    arrays.Set(i, form);
-    if (Uniform(generator) < 0.5)
-    {
-      arrays.Turn(i);
-    }
-    contour.push_back(i);
-  }
-  if (clockwise)
-  {
-    std::reverse(contour.begin(), contour.end());
-  }
-  return ContourIndex(arrays.View(), contour, Vector3d(0.1, -0.2, 1.0));
-}
 
 // The cubic form whose roots are the three lines at these angles.
 SymmetricTensor<3> WithRootsAt(double a, double b, double c)
@@ -127,37 +96,10 @@ int SeparatricesByCounting(const SymmetricTensor<3>& f, Color color)
   return rays;
 }
 
-std::vector<Umbilic> Detect(const TriangleMesh& mesh, const MongeField& field, double patchSize)
-{
-  UmbilicDetector detector(mesh, field, patchSize);
-  std::vector<Id> candidates;
-  for (Id t = 0; t < mesh.NumberOfTriangles(); ++t)
-  {
-    if (detector.Minimizes(t))
-    {
-      candidates.push_back(t);
-    }
-  }
-  return detector.Select(candidates);
-}
-
 } // namespace
 
 //------------------------------------------------------------------------------
-TEST(UmbilicDetection, ContourIndexCountsHalfTurns)
-{
-  for (const int count : { 12, 50 }) // Less than a quarter turn per step.
-  {
-    for (const double index : { 0.5, -0.5, 0.0, 1.0, -1.0, 1.5 })
-    {
-      EXPECT_EQ(IndexOfTurningField(index, count, false), index) << count << " points";
-      EXPECT_EQ(IndexOfTurningField(index, count, true), -index) << count << " points";
-    }
-  }
-}
-
-//------------------------------------------------------------------------------
-TEST(UmbilicDetection, StarsLemonsAndMonstarsHaveTheirRidgesAndIndex)
+TEST(UmbilicForm, StarsLemonsAndMonstarsHaveTheirRidgesAndIndex)
 {
   // Three lines at 60 degrees: x^3 - 3 x y^2, the symmetric star.
   const SymmetricTensor<3> star = { 1.0, 0.0, -1.0, 0.0 };
@@ -181,7 +123,7 @@ TEST(UmbilicDetection, StarsLemonsAndMonstarsHaveTheirRidgesAndIndex)
 }
 
 //------------------------------------------------------------------------------
-TEST(UmbilicDetection, RidgeCountAndIndexOfRandomCubicsAreThoseOfCounting)
+TEST(UmbilicForm, RidgeCountAndIndexOfRandomCubicsAreThoseOfCounting)
 {
   std::mt19937_64 generator(62);
   int seen[2][2] = { { 0, 0 }, { 0, 0 } };
@@ -211,7 +153,7 @@ TEST(UmbilicDetection, RidgeCountAndIndexOfRandomCubicsAreThoseOfCounting)
 }
 
 //------------------------------------------------------------------------------
-TEST(UmbilicDetection, PatternsOfRandomCubicsAreThoseOfCounting)
+TEST(UmbilicForm, PatternsOfRandomCubicsAreThoseOfCounting)
 {
   std::mt19937_64 generator(64);
   std::map<UmbilicPattern, int> seen;
@@ -238,7 +180,7 @@ TEST(UmbilicDetection, PatternsOfRandomCubicsAreThoseOfCounting)
 }
 
 //------------------------------------------------------------------------------
-TEST(UmbilicDetection, CubicFormOfATriangleDoesNotDependOnTheSignsOfFrames)
+TEST(UmbilicForm, CubicFormOfATriangleDoesNotDependOnTheSignsOfFrames)
 {
   const MeshedSurface surface(EllipsoidMesh(8, 1.0, 0.8, 0.6));
   const TriangleMesh& mesh = surface.Triangles();
@@ -259,89 +201,6 @@ TEST(UmbilicDetection, CubicFormOfATriangleDoesNotDependOnTheSignsOfFrames)
     for (int i = 0; i < 4; ++i)
     {
       EXPECT_NEAR(f[i], g[i], 1e-13); // Round-off on values of up to 5.
-    }
-    EXPECT_EQ(TriangleGap(mesh, before.View(), t), TriangleGap(mesh, after.View(), t));
-  }
-}
-
-//------------------------------------------------------------------------------
-TEST(UmbilicDetection, FindsThoseOfTheEllipsoid)
-{
-  const auto exact = EllipsoidUmbilics(EllipsoidAxes[0], EllipsoidAxes[1], EllipsoidAxes[2]);
-  for (const int frequency : { 32, 63 })
-  {
-    const FittedEllipsoid& ellipsoid = FittedEllipsoid::OfFrequency(frequency);
-    for (const double patchSize : { 2.0, 3.0, 4.0 })
-    {
-      const auto umbilics = Detect(ellipsoid.Triangles(), ellipsoid.field.View(), patchSize);
-      ASSERT_EQ(umbilics.size(), 4u) << "frequency " << frequency << " size " << patchSize;
-      double sum = 0.0;
-      for (const Umbilic& umbilic : umbilics)
-      {
-        EXPECT_EQ(umbilic.index, 0.5);
-        EXPECT_EQ(umbilic.ridgeCount, 1);
-        EXPECT_EQ(umbilic.thirdOrderIndex, 1);
-        EXPECT_FALSE(IsRegular(ellipsoid.Triangles(), ellipsoid.field.View(), umbilic.triangle));
-        // Linear interpolation in the triangle: a fraction of an edge.
-        const double distance = DistanceToUmbilics(umbilic.position);
-        EXPECT_LT(distance, ellipsoid.meanEdge);
-        sum += distance;
-      }
-      std::cout << "ellipsoid, frequency " << frequency << ", patch size " << patchSize
-                << ": umbilics off by " << sum / 4.0 / ellipsoid.meanEdge
-                << " mean edges on average\n";
-      // Each of the four is found once.
-      for (const Vector3d& expected : exact)
-      {
-        EXPECT_EQ(
-          std::count_if(umbilics.begin(), umbilics.end(),
-            [&](const Umbilic& u) { return (u.position - expected).norm() < ellipsoid.meanEdge; }),
-          1);
-      }
-    }
-  }
-}
-
-//------------------------------------------------------------------------------
-TEST(UmbilicDetection, FindsThoseOfTheBlend)
-{
-  const MeshedSurface surface(MeshSurface(BlendSurface(), 63));
-  const FieldArrays field = FitField(surface.Triangles());
-  for (const double patchSize : { 2.0, 3.0, 4.0 })
-  {
-    const auto umbilics = Detect(surface.Triangles(), field.View(), patchSize);
-    int positive = 0;
-    int negative = 0;
-    for (const Umbilic& umbilic : umbilics)
-    {
-      ++(umbilic.index > 0.0 ? positive : negative);
-      EXPECT_EQ(umbilic.thirdOrderIndex, umbilic.index > 0.0 ? 1 : -1);
-      EXPECT_TRUE(umbilic.ridgeCount == 1 || umbilic.index < 0.0);
-    }
-    EXPECT_EQ(positive, 6) << "size " << patchSize;
-    EXPECT_EQ(negative, 2) << "size " << patchSize;
-  }
-}
-
-//------------------------------------------------------------------------------
-TEST(UmbilicDetection, PatchesDoNotOverlapOnNoise)
-{
-  const MeshedSurface surface(Icosphere(16));
-  const TriangleMesh& mesh = surface.Triangles();
-  for (std::uint64_t seed = 1; seed <= 3; ++seed)
-  {
-    const FieldArrays field = RandomField(mesh, seed);
-    const auto umbilics = Detect(mesh, field.View(), 2.0);
-    EXPECT_GT(umbilics.size(), 3u);
-    std::vector<int> taken(mesh.NumberOfTriangles(), 0);
-    for (const Umbilic& umbilic : umbilics)
-    {
-      EXPECT_EQ(std::abs(umbilic.index), 0.5);
-      EXPECT_EQ(std::count(umbilic.patch.begin(), umbilic.patch.end(), umbilic.triangle), 1);
-      for (const Id t : umbilic.patch)
-      {
-        EXPECT_EQ(taken[t]++, 0);
-      }
     }
   }
 }
