@@ -3,6 +3,7 @@
 #include "vtkRidgesIndexSearch.h"
 
 #include "Core/Fit/FitErrors.h"
+#include "Core/Monge/TamePoint.h"
 #include "Core/Umbilics/DirectionIndex.h"
 #include "Core/Umbilics/UmbilicGathering.h"
 #include "Core/Umbilics/WeakZones.h"
@@ -25,10 +26,9 @@ namespace
 struct LookAtPoints
 {
   LookAtPoints(const ridges::TriangleMesh& triangles, const ridges::MongeField& monge,
-    const ridges::DirectionIndex& indices, const ridges::FitErrorSource& source, double level)
+    const ridges::FitErrorSource& source, double level)
     : mesh(triangles)
     , field(monge)
-    , index(indices)
     , errors(source)
     , significance(level)
     , isTame(triangles.NumberOfPoints(), 0)
@@ -40,7 +40,8 @@ struct LookAtPoints
   {
     for (auto p = static_cast<ridges::Id>(begin); p < static_cast<ridges::Id>(end); ++p)
     {
-      const bool tame = ridges::IsGentle(this->field, this->errors, p) || this->index.IsTame(p);
+      const bool tame = ridges::IsGentle(this->field, this->errors, p) ||
+        ridges::IsTame(this->mesh, this->field, p);
       this->isTame[p] = tame ? 1 : 0;
       if (ridges::MayBeWeak(this->field, this->errors, this->significance, p))
       {
@@ -51,7 +52,6 @@ struct LookAtPoints
 
   const ridges::TriangleMesh& mesh;
   const ridges::MongeField& field;
-  const ridges::DirectionIndex& index;
   const ridges::FitErrorSource& errors;
   double significance;
   std::vector<std::uint8_t> isTame;
@@ -61,8 +61,10 @@ struct LookAtPoints
 /// The index of every triangle that has directions, and whether it is weak.
 struct LookAtTriangles
 {
-  LookAtTriangles(const ridges::MongeField& monge, const LookAtPoints& ofPoints, double level)
+  LookAtTriangles(const ridges::MongeField& monge, const ridges::DirectionIndex& indices,
+    const LookAtPoints& ofPoints, double level)
     : field(monge)
+    , index(indices)
     , points(ofPoints)
     , significance(level)
     , halfTurns(ofPoints.mesh.NumberOfTriangles(), 0)
@@ -74,12 +76,12 @@ struct LookAtTriangles
   {
     for (auto t = static_cast<ridges::Id>(begin); t < static_cast<ridges::Id>(end); ++t)
     {
-      if (!this->points.index.IsUsable(t))
+      if (!this->index.IsUsable(t))
       {
         continue;
       }
-      const bool looks = this->all || this->points.index.MayTurn(t, this->points.isTame);
-      this->halfTurns[t] = static_cast<std::int8_t>(looks ? this->points.index.HalfTurns(t) : 0);
+      const bool looks = this->all || this->index.MayTurn(t, this->points.isTame);
+      this->halfTurns[t] = static_cast<std::int8_t>(looks ? this->index.HalfTurns(t) : 0);
       this->isWeak[t] = ridges::IsWeak(this->points.mesh, this->field,
                           this->points.gapErrors.data(), this->significance, t)
         ? 1
@@ -95,12 +97,13 @@ struct LookAtTriangles
     {
       charges.push_back({ t, this->halfTurns[t] });
     }
-    const auto more = ridges::ChargesOfUnusable(this->points.mesh, this->points.index);
+    const auto more = ridges::ChargesOfUnusable(this->points.mesh, this->index);
     charges.insert(charges.end(), more.begin(), more.end());
     return charges;
   }
 
   const ridges::MongeField& field;
+  const ridges::DirectionIndex& index;
   const LookAtPoints& points;
   double significance;
   bool all = false; ///< Whether to trust no cheap test.
@@ -127,8 +130,8 @@ bool vtkRidgesIndexSearch::Run(vtkAlgorithm* filter, bool all, double from, doub
   const ridges::MongeField& field = this->Monge.arrays.GetField();
   const ridges::DirectionIndex index(this->Mesh, field, this->Usable);
   const ridges::FitErrorSource errors = vtkRidgesFetchFitErrors(this->Monge.mesh.GetPolyData());
-  LookAtPoints points(this->Mesh, field, index, errors, this->Significance);
-  LookAtTriangles triangles(field, points, this->Significance);
+  LookAtPoints points(this->Mesh, field, errors, this->Significance);
+  LookAtTriangles triangles(field, index, points, this->Significance);
   triangles.all = all;
   const double middle = 0.5 * (from + to);
   if (!vtkRidgesForBatches(filter, this->Mesh.NumberOfPoints(), from, middle, points) ||

@@ -31,7 +31,7 @@ double ExtremalityError(
   const TriangleMesh& mesh, const FitErrorSource& source, Color color, Id point);
 
 /// Whether the fit says that the surface turns by clearly less than 60 degrees within its radius:
-/// then the triangles around the point need not be asked (see DirectionIndex::IsTame).
+/// then the triangles around the point need not be asked (see TamePoint.h).
 bool IsGentle(const MongeField& field, const FitErrorSource& source, Id point);
 
 /// A cheap test whether k1 - k2 at a point may be within `significance` standard errors of 0: not

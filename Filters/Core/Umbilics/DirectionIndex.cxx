@@ -40,23 +40,6 @@ DirectionIndex::DirectionIndex(
 {
 }
 
-bool DirectionIndex::IsTame(Id point) const
-{
-  const Eigen::Vector3d n = this->Field_.D1(point).cross(this->Field_.D2(point));
-  int sides = 0;
-  for (const Id t : this->Mesh_.TrianglesAround(point))
-  {
-    const Eigen::Vector3d normal = this->Mesh_.AreaNormal(t);
-    const double along = n.dot(normal);
-    if (!(along * along > 0.25 * normal.squaredNorm()))
-    {
-      return false;
-    }
-    sides |= along > 0.0 ? 1 : 2;
-  }
-  return sides != 3;
-}
-
 bool DirectionIndex::MayTurn(Id triangle, const std::vector<std::uint8_t>& isTame) const
 {
   // Two half turns need 120 degrees on some edge, of which what tame points leave open can be but

@@ -41,12 +41,6 @@ public:
   bool AllAreUsable() const { return this->Usable_ == nullptr; }
 
   /**
-   * Whether the normal at the point agrees with all triangles around it within 60 degrees, so that
-   * angles in the tangent plane are about those on the surface.
-   */
-  bool IsTame(Id point) const;
-
-  /**
    * Whether the triangle may have an index other than 0: it is singular, or the surface or the
    * directions turn so fast there that two half turns are possible. A cheap test, by rule of
    * thumb: who needs certainty compares the sum of all indices with the Euler characteristic.

@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkRidges contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// What the cubic form says about an umbilic: forms with known roots, and random ones against counting.
+// What the cubic form says about an umbilic: forms with known roots, and random ones against
+// counting.
 
 #include "Fixtures/TestFields.h"
 
