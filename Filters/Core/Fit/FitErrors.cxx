@@ -34,7 +34,7 @@ double EstimatePoints(const TriangleMesh& mesh, double scale, Id point)
  * With n points and 15 coefficients the noise is the residual times sqrt(n / (n - 15)), and its
  * effect on a coefficient falls like one over sqrt(n). The factor left is one that, on even meshes
  * and scans, and for 18 to 200 points, comes within a factor of two of the median of the standard
- * errors of k1 - k2 and of b0 that vtkJetFitting computes.
+ * errors of k1 - k2 and of b0 by JetErrors.h.
  */
 template <int Order>
 double FromResiduals(const TriangleMesh& mesh, const FitErrorSource& source, Id point)
