@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TrueRidges.h"
 
-#include "../Core/Fixtures/TestFields.h"
 #include "ExactRidges.h"
+#include "Fixtures/TestFields.h"
 #include "ParallelFor.h"
 
 #include "Ridges/MarchingTriangles.h"
