@@ -4,6 +4,7 @@
 
 #include "Core/Coherence/CheckCoherence.h"
 #include "vtkRidgesArrayNames.h"
+#include "vtkRidgesCheckText.h"
 #include "vtkRidgesPictureInput.h"
 
 #include "vtkDoubleArray.h"
@@ -54,9 +55,10 @@ std::string OffenderText(const vtkRidgesMesh& mesh, const ridges::CoherenceCheck
   {
     const auto& ids = check.offenders[i].ids;
     text += text.empty() ? "" : ", ";
-    text += std::to_string(
-      check.kind == ridges::OffenderKind::Triangle ? mesh.GetCellId(ids[0]) : vtkIdType{ ids[0] });
-    text += check.kind == ridges::OffenderKind::Edge ? "-" + std::to_string(ids[1]) : "";
+    text +=
+      std::to_string(check.offenderKind == ridges::OffenderKind::Triangle ? mesh.GetCellId(ids[0])
+                                                                          : vtkIdType{ ids[0] });
+    text += check.offenderKind == ridges::OffenderKind::Edge ? "-" + std::to_string(ids[1]) : "";
   }
   return text + (check.offenders.size() > MostOffendersTold ? ", ..." : "");
 }
@@ -87,14 +89,15 @@ void Store(
   auto position = AddColumn<vtkDoubleArray>(table, names::OffenderPosition, 3);
   for (const ridges::CoherenceCheck& row : checks)
   {
-    check->InsertNextValue(row.name);
-    section->InsertNextValue(row.section);
-    expected->InsertNextValue(row.expected);
-    found->InsertNextValue(row.found);
+    const vtkRidgesCheckText text(row);
+    check->InsertNextValue(text.name);
+    section->InsertNextValue(text.section);
+    expected->InsertNextValue(text.expected);
+    found->InsertNextValue(text.found);
     applies->InsertNextValue(row.applies ? 1 : 0);
     passed->InsertNextValue(row.Passed() ? 1 : 0);
     numberOfOffenders->InsertNextValue(static_cast<vtkIdType>(row.offenders.size()));
-    kind->InsertNextValue(KindName(row.kind));
+    kind->InsertNextValue(KindName(row.offenderKind));
     offenders->InsertNextValue(OffenderText(mesh, row));
     const Eigen::Vector3d place =
       row.offenders.empty() ? Eigen::Vector3d::Zero() : row.offenders.front().position;

@@ -24,11 +24,6 @@ Offender AtEdge(const TriangleMesh& mesh, Id edge)
   return { { ends.v0, ends.v1 }, 0.5 * (mesh.Point(ends.v0) + mesh.Point(ends.v1)) };
 }
 
-std::string Name(Color color)
-{
-  return color == Color::Blue ? "blue" : "red";
-}
-
 /// In a triangle, however thin: distances count, as the longest side's length allows.
 bool IsInTriangle(const TriangleMesh& mesh, Id triangle, const Eigen::Vector3d& x)
 {
@@ -119,27 +114,24 @@ void FindMisplaced(const RidgePicture& picture, const RidgeChain& chain, std::se
 
 CoherenceCheck CheckRightAngles(const RidgePicture& picture, double leastCosine)
 {
-  CoherenceCheck check{ "right angles", "5.2.1, S1", OffenderKind::Edge };
+  CoherenceCheck check(CheckKind::RightAngles, OffenderKind::Edge);
   const TriangleMesh& mesh = *picture.mesh;
-  double least = 1.0;
+  Cosines cosines;
+  cosines.expected = leastCosine;
   for (Id e = 0; e < mesh.NumberOfEdges(); ++e)
   {
     if (picture.IsOutside(e))
     {
       const Edge& edge = mesh.EdgeAt(e);
       const double cosine = std::abs(picture.field.D1(edge.v0).dot(picture.field.D1(edge.v1)));
-      least = std::min(least, cosine);
+      cosines.least = std::min(cosines.least, cosine);
       if (cosine < leastCosine)
       {
         check.offenders.push_back(AtEdge(mesh, e));
       }
     }
   }
-  char text[64];
-  std::snprintf(text, sizeof(text), "cosine %.3g or more", leastCosine);
-  check.expected = text;
-  std::snprintf(text, sizeof(text), "%.3g at least", least);
-  check.found = text;
+  check.numbers = cosines;
   check.applies = mesh.NumberOfEdges() > 0;
   return check;
 }
@@ -147,7 +139,7 @@ CoherenceCheck CheckRightAngles(const RidgePicture& picture, double leastCosine)
 CoherenceCheck CheckSingleCrossings(
   const RidgePicture& picture, const std::vector<WholeRidge>& ridges)
 {
-  CoherenceCheck check{ "double crossings", "6.3, 2.2(d)", OffenderKind::Edge };
+  CoherenceCheck check(CheckKind::DoubleCrossings, OffenderKind::Edge);
   const TriangleMesh& mesh = *picture.mesh;
   std::set<Id> offenders;
   for (const Color color : { Color::Blue, Color::Red })
@@ -168,15 +160,13 @@ CoherenceCheck CheckSingleCrossings(
     check.offenders.push_back(AtEdge(mesh, e));
   }
   check.applies = !ridges.empty();
-  check.expected = "none by one colour outside patches";
-  check.found = std::to_string(offenders.size());
   return check;
 }
 
 CoherenceCheck CheckPointsOnEdges(
   const RidgePicture& picture, const std::vector<WholeRidge>& ridges)
 {
-  CoherenceCheck check{ "points on edges", "5.2.2", OffenderKind::RidgePoint };
+  CoherenceCheck check(CheckKind::PointsOnEdges, OffenderKind::RidgePoint);
   std::set<Id> misplaced;
   for (const WholeRidge& ridge : ridges)
   {
@@ -190,29 +180,27 @@ CoherenceCheck CheckPointsOnEdges(
     check.offenders.push_back({ { p, -1 }, picture.points[p].position });
   }
   check.applies = !ridges.empty();
-  check.expected = "at their parameters";
-  check.found = std::to_string(misplaced.size()) + " of " + std::to_string(picture.points.size()) +
-    " are elsewhere";
+  check.numbers = picture.points.size();
   return check;
 }
 
 CoherenceCheck CheckCrossings(const RidgePicture& picture, const std::vector<WholeRidge>& ridges)
 {
-  CoherenceCheck check{ "crossings", "5.2.2", OffenderKind::Edge };
-  std::size_t loops = 0;
+  CoherenceCheck check(CheckKind::Crossings, OffenderKind::Edge);
+  CrossingCounts counts;
   for (const Color color : { Color::Blue, Color::Red })
   {
     const LostCrossings lost = FindLostCrossings(picture, ridges, color);
-    loops += lost.smallLoops;
+    const std::size_t i = color == Color::Blue ? 0 : 1;
+    counts.lost[i] = lost.edges.size();
+    counts.crossed[i] = lost.crossed;
+    counts.smallLoops += lost.smallLoops;
     for (const Id e : lost.edges)
     {
       check.offenders.push_back(AtEdge(*picture.mesh, e));
     }
-    check.found += (color == Color::Red ? ", " : "") + std::to_string(lost.edges.size()) + " of " +
-      std::to_string(lost.crossed) + " " + Name(color);
   }
-  check.found += " lost; " + std::to_string(loops) + " small loops, or parts of them, left out";
-  check.expected = "those of the acute rule";
+  check.numbers = counts;
   check.applies = picture.mesh->NumberOfEdges() > 0;
   return check;
 }

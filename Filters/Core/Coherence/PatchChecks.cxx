@@ -83,9 +83,10 @@ bool LeadsFromUmbilicToBorder(const RidgePicture& picture, const WholeRidge& rid
 
 CoherenceCheck CheckPatches(const RidgePicture& picture)
 {
-  CoherenceCheck check{ "patches", "6.3, 2.2(a)", OffenderKind::Umbilic };
+  CoherenceCheck check(CheckKind::Patches, OffenderKind::Umbilic);
   std::map<Id, std::vector<Id>> patches = FindPatches(picture);
-  const std::size_t count = patches.size();
+  check.numbers = patches.size();
+  check.applies = !patches.empty() || !picture.umbilics.empty();
   for (const PictureUmbilic& umbilic : picture.umbilics)
   {
     const auto patch = patches.find(umbilic.id);
@@ -104,17 +105,13 @@ CoherenceCheck CheckPatches(const RidgePicture& picture)
   {
     check.offenders.push_back({ { id, -1 }, picture.mesh->Centroid(triangles.front()) });
   }
-  check.applies = count > 0 || !picture.umbilics.empty();
-  check.expected = "a disk around each umbilic";
-  check.found = std::to_string(count) + " patches, " + std::to_string(check.offenders.size()) +
-    " umbilics without such";
   return check;
 }
 
 CoherenceCheck CheckRidgesInPatches(
   const RidgePicture& picture, const std::vector<WholeRidge>& ridges)
 {
-  CoherenceCheck check{ "ridges inside patches", "6.3, 2.2(b)", OffenderKind::Ridge };
+  CoherenceCheck check(CheckKind::RidgesInPatches, OffenderKind::Ridge);
   for (const WholeRidge& ridge : ridges)
   {
     const Id patch = PatchAround(picture, ridge);
@@ -125,15 +122,13 @@ CoherenceCheck CheckRidgesInPatches(
     }
   }
   check.applies = !picture.umbilics.empty();
-  check.expected = "none";
-  check.found = std::to_string(check.offenders.size());
   return check;
 }
 
 CoherenceCheck CheckPatchContours(
   const RidgePicture& picture, const std::vector<WholeRidge>& ridges)
 {
-  CoherenceCheck check{ "patch contours", "6.3, 2.2(c)", OffenderKind::Umbilic };
+  CoherenceCheck check(CheckKind::PatchContours, OffenderKind::Umbilic);
   std::map<Id, std::array<int, 2>> counts;
   const auto count = [&](Id p, Color color)
   {
@@ -163,24 +158,22 @@ CoherenceCheck CheckPatchContours(
       }
     }
   }
-  std::string first;
+  RidgeCounts first;
+  first.umbilics = picture.umbilics.size();
   for (const PictureUmbilic& umbilic : picture.umbilics)
   {
     const std::array<int, 2> found = counts[umbilic.id];
     if (found[0] != umbilic.ridgeCount || found[1] != umbilic.ridgeCount)
     {
-      if (first.empty())
+      if (check.offenders.empty())
       {
-        first = ", the first " + std::to_string(found[0]) + " blue and " +
-          std::to_string(found[1]) + " red instead of " + std::to_string(umbilic.ridgeCount);
+        first = { first.umbilics, found[0], found[1], umbilic.ridgeCount };
       }
       check.offenders.push_back({ { umbilic.id, -1 }, umbilic.position });
     }
   }
   check.applies = !picture.umbilics.empty();
-  check.expected = "1 or 3 crossings of each colour, by RidgeCount";
-  check.found = std::to_string(check.offenders.size()) + " of " +
-    std::to_string(picture.umbilics.size()) + " have others" + first;
+  check.numbers = first;
   return check;
 }
 

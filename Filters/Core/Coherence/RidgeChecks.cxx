@@ -12,11 +12,6 @@ namespace ridges
 namespace
 {
 
-std::string CountOf(std::size_t count, const char* noun)
-{
-  return std::to_string(count) + " " + noun;
-}
-
 bool EndsWell(const RidgePicture& picture, Id end)
 {
   const PicturePoint& point = picture.points[end];
@@ -139,10 +134,9 @@ bool Cross(const TriangleMesh& mesh, const Chord& a, const Chord& b)
 
 CoherenceCheck CheckRidgeEnds(const RidgePicture& picture, const std::vector<WholeRidge>& ridges)
 {
-  CoherenceCheck check{ "ridge ends", "definition 4", OffenderKind::Ridge };
-  std::size_t loops = 0;
-  std::size_t atUmbilics = 0;
-  std::size_t atBorders = 0;
+  CoherenceCheck check(CheckKind::RidgeEnds, OffenderKind::Ridge);
+  EndCounts counts;
+  counts.ridges = ridges.size();
   for (const WholeRidge& ridge : ridges)
   {
     if (ridge.chains.empty())
@@ -156,29 +150,25 @@ CoherenceCheck CheckRidgeEnds(const RidgePicture& picture, const std::vector<Who
     }
     for (const RidgeChain& chain : ridge.chains)
     {
-      loops += chain.closed ? 1 : 0;
+      counts.loops += chain.closed ? 1 : 0;
       for (const Id end : { chain.points.front(), chain.points.back() })
       {
-        const bool counts = !chain.closed && EndsWell(picture, end);
-        atUmbilics += counts && picture.points[end].umbilic >= 0 ? 1 : 0;
-        atBorders += counts && picture.points[end].umbilic < 0 ? 1 : 0;
+        const bool isGood = !chain.closed && EndsWell(picture, end);
+        counts.atUmbilics += isGood && picture.points[end].umbilic >= 0 ? 1 : 0;
+        counts.atBorders += isGood && picture.points[end].umbilic < 0 ? 1 : 0;
       }
     }
   }
   check.applies = !ridges.empty();
-  check.expected = "loops, or ended at umbilics or borders";
-  check.found = CountOf(check.offenders.size(), "of ") + CountOf(ridges.size(), "are neither, ") +
-    CountOf(loops, "loops, ends: ") + CountOf(atUmbilics, "at umbilics, ") +
-    CountOf(atBorders, "at borders");
+  check.numbers = counts;
   return check;
 }
 
 CoherenceCheck CheckTurningPoints(
   const RidgePicture& picture, const std::vector<WholeRidge>& ridges)
 {
-  CoherenceCheck check{ "turning points", "3", OffenderKind::Ridge };
-  std::size_t count = 0;
-  std::size_t looked = 0;
+  CoherenceCheck check(CheckKind::TurningPoints, OffenderKind::Ridge);
+  TurningCounts counts;
   for (const WholeRidge& ridge : ridges)
   {
     for (const RidgeChain& chain : ridge.chains)
@@ -197,11 +187,11 @@ CoherenceCheck CheckTurningPoints(
           fault = chain.points[i];
         }
       }
-      count += turns;
+      counts.turningPoints += turns;
       const bool isWhole = chain.closed ||
         (picture.points[chain.points.front()].IsUmbilic() &&
           picture.points[chain.points.back()].IsUmbilic());
-      looked += isWhole ? 1 : 0;
+      counts.ridges += isWhole ? 1 : 0;
       if (fault < 0 && isWhole && turns % 2 != 0)
       {
         fault = chain.points.front();
@@ -212,17 +202,15 @@ CoherenceCheck CheckTurningPoints(
       }
     }
   }
-  check.applies = looked > 0;
-  check.expected = "even number on each loop and between umbilics";
-  check.found = CountOf(count, "in all, ") + CountOf(check.offenders.size(), "ridges of ") +
-    CountOf(looked, "have an odd number, or others than their types have");
+  check.applies = counts.ridges > 0;
+  check.numbers = counts;
   return check;
 }
 
 CoherenceCheck CheckNoIntersections(
   const RidgePicture& picture, const std::vector<WholeRidge>& ridges)
 {
-  CoherenceCheck check{ "intersections", "3", OffenderKind::Triangle };
+  CoherenceCheck check(CheckKind::Intersections, OffenderKind::Triangle);
   std::vector<Chord> chords;
   for (const WholeRidge& ridge : ridges)
   {
@@ -258,8 +246,6 @@ CoherenceCheck CheckNoIntersections(
     first = last;
   }
   check.applies = !ridges.empty();
-  check.expected = "none among ridges of one colour";
-  check.found = CountOf(check.offenders.size(), "triangles with some");
   return check;
 }
 

@@ -12,13 +12,6 @@ namespace ridges
 namespace
 {
 
-/// Halves as such: "2", "-1/2".
-std::string Halves(double value)
-{
-  const long twice = std::lround(2.0 * value);
-  return twice % 2 == 0 ? std::to_string(twice / 2) : std::to_string(twice) + "/2";
-}
-
 class DisjointSets
 {
 public:
@@ -146,7 +139,7 @@ std::vector<std::pair<const RidgeChain*, Id>> EndsAtUmbilics(
 
 CoherenceCheck CheckIndexSum(const RidgePicture& picture)
 {
-  CoherenceCheck check{ "index sum", "8.2", OffenderKind::Triangle };
+  CoherenceCheck check(CheckKind::IndexSum, OffenderKind::Triangle);
   const TriangleMesh& mesh = *picture.mesh;
   Parts parts = FindParts(mesh);
   for (const PictureUmbilic& umbilic : picture.umbilics)
@@ -156,37 +149,30 @@ CoherenceCheck CheckIndexSum(const RidgePicture& picture)
       parts.parts[parts.partOf[umbilic.triangle]].indexSum += umbilic.index;
     }
   }
-  Id closed = 0;
-  Id characteristic = 0;
-  double sum = 0.0;
+  IndexSums sums;
+  sums.parts = parts.parts.size();
   for (const Part& part : parts.parts)
   {
     if (part.closed)
     {
-      ++closed;
-      characteristic += part.characteristic;
-      sum += part.indexSum;
+      ++sums.closedParts;
+      sums.characteristic += part.characteristic;
+      sums.index += part.indexSum;
       if (std::lround(2.0 * part.indexSum) != 2L * part.characteristic)
       {
         check.offenders.push_back({ { part.triangle, -1 }, mesh.Centroid(part.triangle) });
       }
     }
   }
-  check.applies = closed > 0;
-  check.expected = "Euler characteristic " + std::to_string(characteristic);
-  check.found = Halves(sum);
-  if (closed != 1 || parts.parts.size() != 1)
-  {
-    check.found += " on " + std::to_string(closed) + " closed of " +
-      std::to_string(parts.parts.size()) + " parts";
-  }
+  check.applies = sums.closedParts > 0;
+  check.numbers = sums;
   return check;
 }
 
 CoherenceCheck CheckRidgesAtUmbilics(
   const RidgePicture& picture, const std::vector<WholeRidge>& ridges)
 {
-  CoherenceCheck check{ "ridges at umbilics", "3", OffenderKind::Umbilic };
+  CoherenceCheck check(CheckKind::RidgesAtUmbilics, OffenderKind::Umbilic);
   std::map<Id, std::array<int, 2>> counts;
   for (const WholeRidge& ridge : ridges)
   {
@@ -195,39 +181,37 @@ CoherenceCheck CheckRidgesAtUmbilics(
       ++counts[picture.points[end.second].umbilic][ridge.color == Color::Blue ? 0 : 1];
     }
   }
-  std::string first;
+  RidgeCounts first;
+  first.umbilics = picture.umbilics.size();
   for (const PictureUmbilic& umbilic : picture.umbilics)
   {
     const std::array<int, 2> count = counts[umbilic.id];
     const bool known = umbilic.ridgeCount == 1 || umbilic.ridgeCount == 3;
     if (!known || count[0] != umbilic.ridgeCount || count[1] != umbilic.ridgeCount)
     {
-      if (first.empty())
+      if (check.offenders.empty())
       {
-        first = ", the first " + std::to_string(count[0]) + " blue and " +
-          std::to_string(count[1]) + " red instead of " + std::to_string(umbilic.ridgeCount);
+        first = { first.umbilics, count[0], count[1], umbilic.ridgeCount };
       }
       check.offenders.push_back({ { umbilic.id, -1 }, umbilic.position });
     }
   }
   check.applies = !picture.umbilics.empty();
-  check.expected = "1 or 3 ridges of each colour, by RidgeCount";
-  check.found = std::to_string(check.offenders.size()) + " of " +
-    std::to_string(picture.umbilics.size()) + " umbilics have others" + first;
+  check.numbers = first;
   return check;
 }
 
 CoherenceCheck CheckTypesAtUmbilics(
   const RidgePicture& picture, const std::vector<WholeRidge>& ridges)
 {
-  CoherenceCheck check{ "types at umbilics", "3", OffenderKind::Ridge };
-  std::size_t count = 0;
+  CoherenceCheck check(CheckKind::TypesAtUmbilics, OffenderKind::Ridge);
+  std::size_t ends = 0;
   for (const WholeRidge& ridge : ridges)
   {
     for (const auto& end : EndsAtUmbilics(picture, ridge))
     {
       const RidgeChain& chain = *end.first;
-      ++count;
+      ++ends;
       // A ridge from an umbilic to itself has the same point at both ends, which is looked at for
       // each of them.
       const bool good =
@@ -239,17 +223,15 @@ CoherenceCheck CheckTypesAtUmbilics(
       }
     }
   }
-  check.applies = count > 0;
-  check.expected = "hyperbolic";
-  check.found = std::to_string(check.offenders.size()) + " ridges are not, of " +
-    std::to_string(count) + " ends";
+  check.applies = ends > 0;
+  check.numbers = ends;
   return check;
 }
 
 CoherenceCheck CheckUmbilicsPerTriangle(const RidgePicture& picture)
 {
-  CoherenceCheck check{ "umbilics per triangle", "5.2.1, D1", OffenderKind::Triangle };
-  std::map<Id, int> counts;
+  CoherenceCheck check(CheckKind::UmbilicsPerTriangle, OffenderKind::Triangle);
+  std::map<Id, std::size_t> counts;
   for (const PictureUmbilic& umbilic : picture.umbilics)
   {
     if (umbilic.triangle >= 0)
@@ -257,7 +239,7 @@ CoherenceCheck CheckUmbilicsPerTriangle(const RidgePicture& picture)
       ++counts[umbilic.triangle];
     }
   }
-  int most = 0;
+  std::size_t most = 0;
   for (const auto& [triangle, count] : counts)
   {
     most = std::max(most, count);
@@ -267,8 +249,7 @@ CoherenceCheck CheckUmbilicsPerTriangle(const RidgePicture& picture)
     }
   }
   check.applies = !picture.umbilics.empty();
-  check.expected = "at most 1";
-  check.found = std::to_string(most);
+  check.numbers = most;
   return check;
 }
 
