@@ -6,10 +6,10 @@
 #include "Core/Mesh/EnclosingSphere.h"
 #include "vtkRidgesArrayNames.h"
 #include "vtkRidgesMongeInput.h"
+#include "vtkRidgesUmbilicInput.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
-#include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkIntArray.h"
 #include "vtkNew.h"
@@ -47,15 +47,15 @@ double Rounded(double value)
 /// Per triangle: 1 in umbilic patches; nothing if none are marked.
 std::vector<std::uint8_t> TrianglesInPatches(const vtkRidgesMesh& mesh)
 {
-  vtkDataArray* patch = mesh.GetPolyData()->GetCellData()->GetArray(names::UmbilicPatch);
-  if (!patch)
+  const vtkRidgesRegions patches(mesh.GetPolyData(), names::UmbilicPatch);
+  if (!patches.AreThere())
   {
     return {};
   }
   std::vector<std::uint8_t> inside(mesh.GetTriangles().NumberOfTriangles(), 0);
   for (ridges::Id t = 0; t < mesh.GetTriangles().NumberOfTriangles(); ++t)
   {
-    inside[t] = patch->GetComponent(mesh.GetCellId(t), 0) >= 0.0 ? 1 : 0;
+    inside[t] = patches.At(mesh.GetCellId(t)) >= 0 ? 1 : 0;
   }
   return inside;
 }

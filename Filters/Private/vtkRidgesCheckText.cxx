@@ -96,8 +96,8 @@ struct Finding
 
   std::string operator()(const ridges::EndCounts& counts) const
   {
-    return Join(offenders, " of ", counts.ridges, " are neither, ", counts.loops, " loops, ends: ",
-      counts.atUmbilics, " at umbilics, ", counts.atBorders, " at borders");
+    return Join(offenders, " of ", counts.ridges, " are neither, ", counts.loops,
+      " loops, ends: ", counts.atUmbilics, " at umbilics, ", counts.atBorders, " at borders");
   }
 
   std::string operator()(const ridges::TurningCounts& counts) const

@@ -3,10 +3,11 @@
 #include "vtkRidgesPictureInput.h"
 
 #include "vtkRidgesArrayNames.h"
+#include "vtkRidgesArraySource.h"
+#include "vtkRidgesUmbilicInput.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
-#include "vtkFieldData.h"
 #include "vtkIdList.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
@@ -21,11 +22,15 @@ using ridges::Id;
 namespace
 {
 
-/// A value of an array that holds ids or small numbers; -1 for what cannot be one.
+/// What does not fit in 32 bits is no id of ours.
+Id IdOf(vtkIdType value)
+{
+  return value >= 0 && value < std::numeric_limits<Id>::max() ? static_cast<Id>(value) : -1;
+}
+
 Id IdAt(vtkDataArray* array, vtkIdType tuple)
 {
-  const double value = array->GetComponent(tuple, 0);
-  return value >= 0.0 && value < std::numeric_limits<Id>::max() ? static_cast<Id>(value) : -1;
+  return IdOf(vtkRidgesIdAt(array, tuple));
 }
 
 ridges::RidgeType TypeAt(vtkDataArray* array, vtkIdType tuple)
@@ -47,17 +52,9 @@ std::string vtkRidgesPictureInput::Fetch(
   return this->Faults;
 }
 
-vtkDataArray* vtkRidgesPictureInput::FetchArray(
-  const Source& source, const char* name, int components)
+void vtkRidgesPictureInput::AddFaults(const std::string& faults)
 {
-  vtkDataArray* array = source.arrays->GetArray(name);
-  const bool good = array && array->GetNumberOfComponents() == components &&
-    (source.tuples < 0 || array->GetNumberOfTuples() >= source.tuples);
-  if (!good)
-  {
-    this->Faults += (this->Faults.empty() ? "" : ", ") + std::string(name) + " of " + source.name;
-  }
-  return good ? array : nullptr;
+  this->Faults += (this->Faults.empty() || faults.empty() ? "" : ", ") + faults;
 }
 
 void vtkRidgesPictureInput::FetchMesh(vtkPolyData* mesh)
@@ -65,22 +62,21 @@ void vtkRidgesPictureInput::FetchMesh(vtkPolyData* mesh)
   if (mesh->GetNumberOfPoints() > 0)
   {
     const std::string faults = this->Arrays.Fetch(mesh, false);
-    this->Faults += faults.empty() ? "" : faults + " of the mesh";
+    this->AddFaults(faults.empty() ? "" : faults + " of the mesh");
   }
   if (!this->Mesh.Build(mesh))
   {
-    this->Faults += ", a numbering of the mesh in 32 bits";
+    this->AddFaults("a numbering of the mesh in 32 bits");
     return;
   }
   const ridges::TriangleMesh& triangles = this->Mesh.GetTriangles();
   vtkPolyData* data = this->Mesh.GetPolyData();
-  vtkDataArray* patch = nullptr;
-  if (mesh->GetNumberOfPoints() > 0)
+  const vtkRidgesRegions patches(data, names::UmbilicPatch);
+  const vtkRidgesRegions cancelled(data, names::CancelledUmbilics);
+  if (mesh->GetNumberOfPoints() > 0 && !patches.AreThere())
   {
-    patch = this->FetchArray(
-      { "the mesh's cells", data->GetCellData(), data->GetNumberOfCells() }, names::UmbilicPatch);
+    this->AddFaults(std::string(names::UmbilicPatch) + " of the mesh's cells");
   }
-  vtkDataArray* cancelled = data->GetCellData()->GetArray(names::CancelledUmbilics);
 
   this->Picture.mesh = &triangles;
   this->Picture.field = this->Arrays.GetField();
@@ -92,8 +88,8 @@ void vtkRidgesPictureInput::FetchMesh(vtkPolyData* mesh)
     this->TriangleOfCell[cell] = t;
     const bool good = ridges::AreUsable(triangles.Corners(t), usable.data());
     this->Picture.isUsable.push_back(good ? 1 : 0);
-    this->Picture.patchOf.push_back(patch ? IdAt(patch, cell) : -1);
-    this->Picture.cancelledIn.push_back(cancelled ? IdAt(cancelled, cell) : -1);
+    this->Picture.patchOf.push_back(IdOf(patches.At(cell)));
+    this->Picture.cancelledIn.push_back(IdOf(cancelled.At(cell)));
   }
 }
 
@@ -106,52 +102,24 @@ Id vtkRidgesPictureInput::TriangleOf(vtkIdType cell) const
 
 void vtkRidgesPictureInput::FetchUmbilics(vtkPolyData* umbilics)
 {
-  vtkDataArray* id = nullptr;
-  vtkDataArray* index = nullptr;
-  vtkDataArray* ridgeCount = nullptr;
-  vtkDataArray* triangle = nullptr;
-  vtkDataArray* position = nullptr;
-  vtkIdType count = 0;
+  vtkRidgesUmbilicInput input;
   if (umbilics)
   {
-    count = umbilics->GetNumberOfPoints();
-    const Source source{ "the umbilics", umbilics->GetPointData(), count };
-    if (count > 0)
-    {
-      id = this->FetchArray(source, names::UmbilicId);
-      index = this->FetchArray(source, names::Index);
-      ridgeCount = this->FetchArray(source, names::RidgeCount);
-      triangle = this->FetchArray(source, names::Triangle);
-    }
+    input.FetchFromVertices(umbilics);
   }
   else if (this->Mesh.GetPolyData()->GetNumberOfPoints() > 0)
   {
-    Source source{ "the mesh's field data", this->Mesh.GetPolyData()->GetFieldData(), -1 };
-    position = this->FetchArray(source, names::UmbilicPosition, 3);
-    count = source.tuples = position ? position->GetNumberOfTuples() : 0;
-    index = this->FetchArray(source, names::UmbilicIndex);
-    ridgeCount = this->FetchArray(source, names::UmbilicRidgeCount);
-    triangle = this->FetchArray(source, names::UmbilicTriangle);
+    input.FetchFromMesh(this->Mesh.GetPolyData());
   }
-  if (!this->Faults.empty())
-  {
-    return;
-  }
-  for (vtkIdType i = 0; i < count; ++i)
+  this->AddFaults(input.GetFaults());
+  for (const vtkRidgesUmbilicInput::Umbilic& found : input.GetUmbilics())
   {
     ridges::PictureUmbilic umbilic;
-    umbilic.id = id ? IdAt(id, i) : static_cast<Id>(i);
-    umbilic.triangle = this->TriangleOf(IdAt(triangle, i));
-    umbilic.ridgeCount = IdAt(ridgeCount, i);
-    umbilic.index = index->GetComponent(i, 0);
-    if (position)
-    {
-      position->GetTuple(i, umbilic.position.data());
-    }
-    else
-    {
-      umbilics->GetPoint(i, umbilic.position.data());
-    }
+    umbilic.id = IdOf(found.id);
+    umbilic.triangle = this->TriangleOf(found.cell);
+    umbilic.position = found.position;
+    umbilic.ridgeCount = found.ridgeCount;
+    umbilic.index = found.index;
     this->Picture.umbilics.push_back(umbilic);
   }
 }
@@ -162,16 +130,18 @@ void vtkRidgesPictureInput::FetchRidges(vtkPolyData* ridges)
   {
     return;
   }
-  const Source cells{ "the ridges", ridges->GetCellData(), ridges->GetNumberOfCells() };
-  const Source points{ "the ridges", ridges->GetPointData(), ridges->GetNumberOfPoints() };
-  vtkDataArray* type = this->FetchArray(cells, names::RidgeType);
-  vtkDataArray* ridgeId = this->FetchArray(cells, names::RidgeId);
-  vtkDataArray* closed = this->FetchArray(cells, names::Closed);
-  vtkDataArray* umbilic = this->FetchArray(points, names::Umbilic);
-  vtkDataArray* turningPoint = this->FetchArray(points, names::TurningPoint);
-  vtkDataArray* edgePoint0 = this->FetchArray(points, names::EdgePoint0);
-  vtkDataArray* edgePoint1 = this->FetchArray(points, names::EdgePoint1);
-  vtkDataArray* parameter = this->FetchArray(points, names::EdgeParameter);
+  const vtkRidgesArraySource cells{ "the ridges", ridges->GetCellData(),
+    ridges->GetNumberOfCells() };
+  const vtkRidgesArraySource points{ "the ridges", ridges->GetPointData(),
+    ridges->GetNumberOfPoints() };
+  vtkDataArray* type = cells.Fetch(names::RidgeType, this->Faults);
+  vtkDataArray* ridgeId = cells.Fetch(names::RidgeId, this->Faults);
+  vtkDataArray* closed = cells.Fetch(names::Closed, this->Faults);
+  vtkDataArray* umbilic = points.Fetch(names::Umbilic, this->Faults);
+  vtkDataArray* turningPoint = points.Fetch(names::TurningPoint, this->Faults);
+  vtkDataArray* edgePoint0 = points.Fetch(names::EdgePoint0, this->Faults);
+  vtkDataArray* edgePoint1 = points.Fetch(names::EdgePoint1, this->Faults);
+  vtkDataArray* parameter = points.Fetch(names::EdgeParameter, this->Faults);
   if (!this->Faults.empty())
   {
     return;

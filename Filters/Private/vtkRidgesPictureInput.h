@@ -9,9 +9,6 @@
 
 #include <string>
 
-class vtkDataArray;
-class vtkFieldData;
-
 /**
  * Mesh, umbilics and ridges as the numerics want them to check them, private to the module.
  */
@@ -26,14 +23,7 @@ public:
   const vtkRidgesMesh& GetMesh() const { return this->Mesh; }
 
 private:
-  struct Source
-  {
-    const char* name;     ///< Of the input.
-    vtkFieldData* arrays; ///< Its point, cell or field data.
-    vtkIdType tuples;     ///< That it needs, -1 for any number.
-  };
-
-  vtkDataArray* FetchArray(const Source& source, const char* name, int components = 1);
+  void AddFaults(const std::string& faults);
   void FetchMesh(vtkPolyData* mesh);
   void FetchUmbilics(vtkPolyData* umbilics);
   void FetchRidges(vtkPolyData* ridges);

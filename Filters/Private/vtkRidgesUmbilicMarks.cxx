@@ -6,26 +6,21 @@
 #include "vtkRidgesCollect.h"
 #include "vtkRidgesMesh.h"
 
-#include "vtkCellData.h"
-#include "vtkFieldData.h"
-#include "vtkIdTypeArray.h"
 #include "vtkPolyData.h"
-
-#include <algorithm>
 
 namespace names = vtkRidgesArrayNames;
 
 vtkRidgesUmbilicMarks::vtkRidgesUmbilicMarks(const vtkRidgesMesh& mesh)
   : Mesh(mesh)
+  , PatchOfCell(mesh.GetPolyData(), names::UmbilicPatch)
 {
-  vtkCellData* cellData = mesh.GetPolyData()->GetCellData();
-  this->Patch = cellData->GetArray(names::UmbilicPatch);
-  if (this->Patch)
+  if (this->PatchOfCell.AreThere())
   {
     this->FetchUmbilics();
-    this->FetchRegions(this->Patch, 0);
+    this->FetchRegions(this->PatchOfCell, 0);
   }
-  if (vtkDataArray* cancelled = cellData->GetArray(names::CancelledUmbilics))
+  const vtkRidgesRegions cancelled(mesh.GetPolyData(), names::CancelledUmbilics);
+  if (cancelled.AreThere())
   {
     this->FetchRegions(cancelled, this->Patches.size());
   }
@@ -33,42 +28,27 @@ vtkRidgesUmbilicMarks::vtkRidgesUmbilicMarks(const vtkRidgesMesh& mesh)
 
 void vtkRidgesUmbilicMarks::FetchUmbilics()
 {
-  vtkFieldData* fieldData = this->Mesh.GetPolyData()->GetFieldData();
-  vtkDataArray* position = fieldData->GetArray(names::UmbilicPosition);
-  vtkDataArray* ridgeCount = fieldData->GetArray(names::UmbilicRidgeCount);
-  vtkDataArray* triangle = fieldData->GetArray(names::UmbilicTriangle);
-  if (!position || position->GetNumberOfComponents() != 3 || !ridgeCount || !triangle)
+  vtkRidgesUmbilicInput input;
+  input.FetchFromMesh(this->Mesh.GetPolyData());
+  for (const vtkRidgesUmbilicInput::Umbilic& umbilic : input.GetUmbilics())
   {
-    return;
-  }
-  const vtkIdType count = std::min(position->GetNumberOfTuples(),
-    std::min(ridgeCount->GetNumberOfTuples(), triangle->GetNumberOfTuples()));
-  for (vtkIdType i = 0; i < count; ++i)
-  {
-    Eigen::Vector3d x;
-    position->GetTuple(i, x.data());
-    this->Positions.push_back(x);
-    ridges::RidgePatch patch;
-    patch.position = x;
-    patch.ridgeCount = ridgeCount->GetComponent(i, 0) == 3.0 ? 3 : 1;
-    this->Patches.push_back(patch);
     // Of several in one triangle the first has the patch.
-    this->UmbilicOfCell.insert({ static_cast<vtkIdType>(triangle->GetComponent(i, 0)), i });
+    this->UmbilicOfCell.insert({ umbilic.cell, static_cast<vtkIdType>(this->Positions.size()) });
+    this->Positions.push_back(umbilic.position);
+    ridges::RidgePatch patch;
+    patch.position = umbilic.position;
+    patch.ridgeCount = umbilic.ridgeCount == 3 ? 3 : 1;
+    this->Patches.push_back(patch);
   }
 }
 
-void vtkRidgesUmbilicMarks::FetchRegions(vtkDataArray* regions, std::size_t firstPatch)
+void vtkRidgesUmbilicMarks::FetchRegions(const vtkRidgesRegions& regions, std::size_t firstPatch)
 {
-  auto* exact = vtkIdTypeArray::SafeDownCast(regions);
-  const vtkIdType* values = exact ? exact->GetPointer(0) : nullptr;
   const ridges::TriangleMesh& triangles = this->Mesh.GetTriangles();
-  const auto regionOf = [&](ridges::Id t)
-  {
-    const vtkIdType cell = this->Mesh.GetCellId(t);
-    return values ? values[cell] : static_cast<vtkIdType>(regions->GetComponent(cell, 0));
-  };
-  for (const ridges::Id t :
-    vtkRidgesWhere(triangles.NumberOfTriangles(), [&](ridges::Id i) { return regionOf(i) >= 0; }))
+  const auto regionOf = [this, &regions](ridges::Id t)
+  { return regions.At(this->Mesh.GetCellId(t)); };
+  for (const ridges::Id t : vtkRidgesWhere(
+         triangles.NumberOfTriangles(), [&regionOf](ridges::Id i) { return regionOf(i) >= 0; }))
   {
     const vtkIdType region = regionOf(t);
     // No more regions than triangles: other numbers are not of vtkUmbilicDetection.
@@ -98,7 +78,5 @@ vtkIdType vtkRidgesUmbilicMarks::UmbilicAt(ridges::Id triangle) const
 
 vtkIdType vtkRidgesUmbilicMarks::PatchOf(ridges::Id triangle) const
 {
-  return this->Patch
-    ? static_cast<vtkIdType>(this->Patch->GetComponent(this->Mesh.GetCellId(triangle), 0))
-    : -1;
+  return this->PatchOfCell.At(this->Mesh.GetCellId(triangle));
 }

@@ -4,13 +4,13 @@
 #define vtkRidgesUmbilicMarks_h
 
 #include "Core/Ridges/Patch/PatchRidges.h"
+#include "vtkRidgesUmbilicInput.h"
 
 #include "vtkType.h"
 
 #include <unordered_map>
 #include <vector>
 
-class vtkDataArray;
 class vtkRidgesMesh;
 
 /**
@@ -22,7 +22,7 @@ public:
   explicit vtkRidgesUmbilicMarks(const vtkRidgesMesh& mesh);
 
   /// Whether there are marks, even if of no umbilic.
-  bool AreThere() const { return this->Patch != nullptr; }
+  bool AreThere() const { return this->PatchOfCell.AreThere(); }
 
   const std::vector<Eigen::Vector3d>& GetPositions() const { return this->Positions; }
 
@@ -37,10 +37,10 @@ public:
 
 private:
   void FetchUmbilics();
-  void FetchRegions(vtkDataArray* regions, std::size_t firstPatch);
+  void FetchRegions(const vtkRidgesRegions& regions, std::size_t firstPatch);
 
   const vtkRidgesMesh& Mesh;
-  vtkDataArray* Patch = nullptr;
+  vtkRidgesRegions PatchOfCell;
   std::vector<Eigen::Vector3d> Positions;
   std::vector<ridges::RidgePatch> Patches;
   std::unordered_map<vtkIdType, vtkIdType> UmbilicOfCell;

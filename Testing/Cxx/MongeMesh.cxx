@@ -3,11 +3,10 @@
 #include "MongeMesh.h"
 
 #include "FilterTestTools.h"
+#include "vtkRidgesUmbilicInput.h"
 
 #include "vtkCellArray.h"
-#include "vtkCellData.h"
 #include "vtkDataArray.h"
-#include "vtkFieldData.h"
 #include "vtkIdList.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
@@ -78,33 +77,31 @@ void MongeMesh::FetchPoints()
 void MongeMesh::FetchRegions(const std::vector<vtkIdType>& cells)
 {
   this->regionOf.assign(this->triangles.size(), None);
-  vtkFieldData* field = this->Mesh_->GetFieldData();
-  vtkDataArray* umbilics = field->GetArray(names::UmbilicTriangle);
-  const vtkIdType count = umbilics ? umbilics->GetNumberOfTuples() : 0;
-  this->regions.resize(count);
-  for (vtkIdType i = 0; i < count; ++i)
+  vtkRidgesUmbilicInput input;
+  input.FetchFromMesh(this->Mesh_);
+  const auto& umbilics = input.GetUmbilics();
+  for (const vtkRidgesUmbilicInput::Umbilic& umbilic : umbilics)
   {
-    this->regions[i].ridgeCount = static_cast<int>(Value(field, names::UmbilicRidgeCount, i));
+    this->regions.emplace_back();
+    this->regions.back().ridgeCount = umbilic.ridgeCount;
   }
-  vtkDataArray* patch = this->Mesh_->GetCellData()->GetArray(names::UmbilicPatch);
-  vtkDataArray* cancelled = this->Mesh_->GetCellData()->GetArray(names::CancelledUmbilics);
+  const vtkRidgesRegions patches(this->Mesh_, names::UmbilicPatch);
+  const vtkRidgesRegions cancelled(this->Mesh_, names::CancelledUmbilics);
   for (std::size_t t = 0; t < cells.size(); ++t)
   {
-    const double inPatch = patch ? patch->GetComponent(cells[t], 0) : -1.0;
-    const double inCancelled = cancelled ? cancelled->GetComponent(cells[t], 0) : -1.0;
-    if (inPatch < 0.0 && inCancelled < 0.0)
+    const vtkIdType inPatch = patches.At(cells[t]);
+    const vtkIdType inCancelled = cancelled.At(cells[t]);
+    if (inPatch < 0 && inCancelled < 0)
     {
       continue;
     }
-    const auto region = inPatch >= 0.0
+    const std::size_t region = inPatch >= 0
       ? static_cast<std::size_t>(inPatch)
-      : static_cast<std::size_t>(count) + static_cast<std::size_t>(inCancelled);
+      : umbilics.size() + static_cast<std::size_t>(inCancelled);
     this->regions.resize(std::max(this->regions.size(), region + 1));
     this->regionOf[t] = region;
     this->regions[region].triangles.push_back(t);
-    if (inPatch >= 0.0 &&
-      Value(field, names::UmbilicTriangle, static_cast<vtkIdType>(region)) ==
-        static_cast<double>(cells[t]))
+    if (inPatch >= 0 && region < umbilics.size() && umbilics[region].cell == cells[t])
     {
       this->regions[region].umbilic = t;
     }
