@@ -3,6 +3,7 @@
 #include "Coherence/LostCrossings.h"
 
 #include "Monge/AcuteRule.h"
+#include "Ridges/SmallLoops.h"
 
 #include <algorithm>
 #include <unordered_map>
@@ -12,9 +13,6 @@ namespace ridges
 {
 namespace
 {
-
-constexpr std::size_t MostPoints = 64;
-constexpr std::size_t MostCrossings = 256;
 
 /// Puts lost crossings together that a ridge would join outside of regions.
 class Gathering
@@ -116,7 +114,7 @@ bool EnclosesFew(const RidgePicture& picture, const std::vector<Id>& crossings)
   {
     std::vector<Id> points{ start };
     std::unordered_set<Id> reached{ start };
-    for (std::size_t i = 0; i < points.size() && points.size() <= MostPoints; ++i)
+    for (std::size_t i = 0; i < points.size() && points.size() <= SmallLoops::MostPoints; ++i)
     {
       for (const Id t : mesh.TrianglesAround(points[i]))
       {
@@ -133,7 +131,7 @@ bool EnclosesFew(const RidgePicture& picture, const std::vector<Id>& crossings)
         }
       }
     }
-    if (points.size() <= MostPoints && reached.count(edge.v0 + edge.v1 - start) == 0)
+    if (points.size() <= SmallLoops::MostPoints && reached.count(edge.v0 + edge.v1 - start) == 0)
     {
       return true;
     }
@@ -192,7 +190,8 @@ LostCrossings FindLostCrossings(
     }
     const std::vector<Id> together = gathering.Take(e);
     // What a loop encloses that passes a region cannot be told.
-    const bool isSmallLoop = together.size() <= MostCrossings && gathering.IsClosed(together) &&
+    const bool isSmallLoop = together.size() <= SmallLoops::MostCrossings &&
+      gathering.IsClosed(together) &&
       (gathering.TouchesRegion(together) || EnclosesFew(picture, together));
     result.smallLoops += isSmallLoop ? 1 : 0;
     if (!isSmallLoop)

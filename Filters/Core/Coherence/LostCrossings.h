@@ -18,8 +18,8 @@ struct LostCrossings
 {
   std::size_t crossed = 0; ///< By the acute rule.
   std::vector<Id> edges;
-  /// Loops around at most 64 points, or as small parts of loops between regions, which the search
-  /// for ridges leaves out if they are insignificant (SmallLoops.h): not among `edges`.
+  /// Loops within the limits of SmallLoops, or as small parts of loops between regions, which the
+  /// search for ridges leaves out if they are insignificant: not among `edges`.
   std::size_t smallLoops = 0;
 };
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Coherence/PatchChecks.h"
 
+#include "Mesh/Regions.h"
+
 #include <algorithm>
 #include <map>
 #include <set>
@@ -33,19 +35,15 @@ bool IsDisk(const TriangleMesh& mesh, const std::vector<Id>& patch)
   std::set<Id> points;
   std::set<Id> edges;
   std::set<Id> reached{ patch.front() };
-  for (std::vector<Id> open(reached.begin(), reached.end()); !open.empty();)
+  const std::vector<Id> connected = TrianglesFrom(mesh, patch.front(),
+    [&triangles, &reached](Id, Id next)
+    { return triangles.count(next) > 0 && reached.insert(next).second; });
+  for (const Id t : connected)
   {
-    const Id t = open.back();
-    open.pop_back();
     for (int side = 0; side < 3; ++side)
     {
       points.insert(mesh.Corners(t)[side]);
       edges.insert(mesh.EdgeOf(t, side));
-      const Id next = mesh.Neighbor(t, side);
-      if (next >= 0 && triangles.count(next) > 0 && reached.insert(next).second)
-      {
-        open.push_back(next);
-      }
     }
   }
   return reached.size() == triangles.size() && points.size() + triangles.size() == edges.size() + 1;

@@ -52,14 +52,8 @@ Id FirstFault(const RidgePicture& picture, const WholeRidge& ridge)
 double BorderCoordinate(const RidgePicture& picture, Id triangle, const PicturePoint& point)
 {
   const TriangleMesh& mesh = *picture.mesh;
-  int side = 0;
-  while (side < 2 && mesh.EdgeOf(triangle, side) != point.edge)
-  {
-    ++side;
-  }
-  const bool forward = mesh.Corners(triangle)[side] == mesh.EdgeAt(point.edge).v0;
-  const double fraction = forward ? point.parameter : 1.0 - point.parameter;
-  return std::fmod(side + fraction, 3.0);
+  const int side = mesh.SideOf(triangle, point.edge);
+  return std::fmod(mesh.PlaceOnBorder(triangle, side, point.parameter), 3.0);
 }
 
 Eigen::Vector3d BorderPoint(const TriangleMesh& mesh, Id triangle, double coordinate)

@@ -57,12 +57,6 @@ struct Parts
   std::vector<Id> partOf; ///< Per triangle.
 };
 
-int CornerOf(const TriangleMesh& mesh, Id triangle, Id point)
-{
-  const Triangle& corners = mesh.Corners(triangle);
-  return corners[0] == point ? 0 : (corners[1] == point ? 1 : 2);
-}
-
 // Corners that edges with two triangles join are one point of a part: thus a point at which two
 // fans of triangles touch is two.
 Parts FindParts(const TriangleMesh& mesh)
@@ -78,8 +72,8 @@ Parts FindParts(const TriangleMesh& mesh)
       triangles.Join(edge.t0, edge.t1);
       for (const Id p : { edge.v0, edge.v1 })
       {
-        corners.Join(3 * static_cast<std::size_t>(edge.t0) + CornerOf(mesh, edge.t0, p),
-          3 * static_cast<std::size_t>(edge.t1) + CornerOf(mesh, edge.t1, p));
+        corners.Join(3 * static_cast<std::size_t>(edge.t0) + CornerOf(mesh.Corners(edge.t0), p),
+          3 * static_cast<std::size_t>(edge.t1) + CornerOf(mesh.Corners(edge.t1), p));
       }
     }
   }

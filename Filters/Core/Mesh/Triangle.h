@@ -14,6 +14,19 @@ namespace ridges
 /// Corners of a triangle, in the order that orients it.
 using Triangle = std::array<Id, 3>;
 
+/// The number of a point among the corners of a triangle that has it.
+inline int CornerOf(const Triangle& corners, Id point)
+{
+  return corners[0] == point ? 0 : (corners[1] == point ? 1 : 2);
+}
+
+/// Whether a triangle runs from p straight to q.
+inline bool RunsThrough(const Triangle& corners, Id p, Id q)
+{
+  return (corners[0] == p && corners[1] == q) || (corners[1] == p && corners[2] == q) ||
+    (corners[2] == p && corners[0] == q);
+}
+
 /// Whether all three corners have values, by a flag for each point; null means all have.
 inline bool AreUsable(const Triangle& corners, const std::uint8_t* usable)
 {

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Mesh/TriangleMesh.h"
 
+#include "Mesh/Regions.h"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -270,12 +272,7 @@ Id TriangleMesh::EulerCharacteristic() const
 
 Id TriangleMesh::NumberOfInconsistentEdges() const
 {
-  const auto startsAt = [this](Id t, Id e)
-  {
-    const Triangle& edges = this->TriangleEdges_[t];
-    const auto side = std::find(edges.begin(), edges.end(), e) - edges.begin();
-    return this->Triangles_[t][side];
-  };
+  const auto startsAt = [this](Id t, Id e) { return this->Triangles_[t][this->SideOf(t, e)]; };
   Id count = 0;
   for (Id e = 0; e < this->NumberOfEdges(); ++e)
   {
@@ -296,41 +293,32 @@ TriangleMesh TriangleMesh::ConsistentlyOriented() const
   Buffer<Triangle> triangles(this->Triangles_.size());
   std::copy(this->Triangles_.begin(), this->Triangles_.end(), triangles.begin());
   std::vector<std::uint8_t> isReached(this->NumberOfTriangles(), 0);
-  std::vector<Id> reached;
+  const auto orient = [this, &triangles, &isReached](Id from, Id next)
+  {
+    if (isReached[next])
+    {
+      return false;
+    }
+    isReached[next] = 1;
+    const Triangle& t = triangles[from];
+    Triangle& s = triangles[next];
+    for (int side = 0; side < 3; ++side)
+    {
+      // Both run through their edge in one sense, as they are now.
+      if (RunsThrough(s, t[side], t[(side + 1) % 3]))
+      {
+        std::swap(s[1], s[2]);
+        break;
+      }
+    }
+    return true;
+  };
   for (Id first = 0; first < this->NumberOfTriangles(); ++first)
   {
-    if (isReached[first])
+    if (!isReached[first])
     {
-      continue;
-    }
-    isReached[first] = 1;
-    reached.assign(1, first);
-    for (std::size_t i = 0; i < reached.size(); ++i)
-    {
-      for (int side = 0; side < 3; ++side)
-      {
-        const Id next = this->Neighbor(reached[i], side);
-        if (next < 0 || isReached[next])
-        {
-          continue;
-        }
-        isReached[next] = 1;
-        reached.push_back(next);
-        // Whether both run through their edge in one sense, as they are now.
-        const Triangle& t = triangles[reached[i]];
-        Triangle& s = triangles[next];
-        for (int j = 0; j < 3; ++j)
-        {
-          for (int k = 0; k < 3; ++k)
-          {
-            if (s[j] == t[k] && s[(j + 1) % 3] == t[(k + 1) % 3])
-            {
-              std::swap(s[1], s[2]);
-              j = k = 3;
-            }
-          }
-        }
-      }
+      isReached[first] = 1;
+      TrianglesFrom(*this, first, orient);
     }
   }
   return TriangleMesh(this->Points_, this->NumberOfPoints_, std::move(triangles));

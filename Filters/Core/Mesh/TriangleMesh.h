@@ -63,6 +63,20 @@ public:
   /// The edge of triangle t that joins its corners i and i + 1 (modulo 3).
   Id EdgeOf(Id t, int i) const { return this->TriangleEdges_[t][i]; }
 
+  /// Which edge of triangle t, one of whose it is, an edge is.
+  int SideOf(Id t, Id edge) const
+  {
+    return this->EdgeOf(t, 0) == edge ? 0 : (this->EdgeOf(t, 1) == edge ? 1 : 2);
+  }
+
+  /// Where on the border of triangle t, from 0 to 3 all around, a point of its edge i is, at this
+  /// fraction of the way from the edge's smaller point id to its larger.
+  double PlaceOnBorder(Id t, int i, double parameter) const
+  {
+    const bool forward = this->Corners(t)[i] == this->EdgeAt(this->EdgeOf(t, i)).v0;
+    return i + (forward ? parameter : 1.0 - parameter);
+  }
+
   /// The triangle across edge i of triangle t, or Border, or NonManifold.
   Id Neighbor(Id t, int i) const
   {

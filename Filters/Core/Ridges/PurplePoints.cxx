@@ -62,10 +62,8 @@ bool FindPiece(const TriangleMesh& mesh, const Passages& passages, Id triangle, 
     {
       return false;
     }
-    const bool forward =
-      mesh.EdgeAt(mesh.EdgeOf(triangle, side)).v0 == mesh.Corners(triangle)[side];
     piece.ridge = passage.ridge;
-    piece.ends[count++] = side + (forward ? passage.parameter : 1.0 - passage.parameter);
+    piece.ends[count++] = mesh.PlaceOnBorder(triangle, side, passage.parameter);
   }
   return count == 2;
 }

@@ -10,10 +10,6 @@ namespace ridges
 namespace
 {
 
-/// Loops around more points than this, or of so many crossings, are not looked at.
-constexpr std::size_t MostPoints = 64;
-constexpr std::size_t MostCrossings = 256;
-
 bool IsIn(const std::vector<Id>& values, Id value)
 {
   return std::find(values.begin(), values.end(), value) != values.end();

@@ -16,6 +16,10 @@ namespace ridges
 class SmallLoops
 {
 public:
+  /// Loops around more points than this, or of more crossings, are not looked at.
+  static constexpr std::size_t MostPoints = 64;
+  static constexpr std::size_t MostCrossings = 256;
+
   /// b has to be within `significance` standard errors of 0.
   SmallLoops(const RidgeCrossings& crossings, const FitErrorSource& errors, double significance);
 

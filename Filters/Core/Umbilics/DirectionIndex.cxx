@@ -7,7 +7,6 @@
 
 #include <Eigen/Geometry>
 
-#include <algorithm>
 #include <cmath>
 #include <complex>
 
@@ -17,11 +16,6 @@ namespace
 {
 
 constexpr double Pi = 3.14159265358979323846;
-
-int CornerOf(const Triangle& corners, Id point)
-{
-  return corners[0] == point ? 0 : (corners[1] == point ? 1 : 2);
-}
 
 /// Scratch memory of each thread: a fan may have any number of triangles.
 std::vector<double>& AnglesOfFan()

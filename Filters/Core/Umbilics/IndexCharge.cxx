@@ -3,6 +3,7 @@
 #include "Umbilics/IndexCharge.h"
 
 #include "Mesh/PositionOrder.h"
+#include "Mesh/Regions.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -76,27 +77,9 @@ std::vector<IndexCharge> ChargesOfUnusable(const TriangleMesh& mesh, const Direc
   {
     return charges;
   }
-  std::vector<std::uint8_t> isReached(mesh.NumberOfTriangles(), 0);
-  for (Id first = 0; first < mesh.NumberOfTriangles(); ++first)
+  const auto isUnusable = [&index](Id t) { return !index.IsUsable(t); };
+  for (const std::vector<Id>& region : RegionsWhere(mesh, isUnusable))
   {
-    if (isReached[first] || index.IsUsable(first))
-    {
-      continue;
-    }
-    std::vector<Id> region{ first };
-    isReached[first] = 1;
-    for (std::size_t i = 0; i < region.size(); ++i)
-    {
-      for (int side = 0; side < 3; ++side)
-      {
-        const Id next = mesh.Neighbor(region[i], side);
-        if (next >= 0 && !isReached[next] && !index.IsUsable(next))
-        {
-          isReached[next] = 1;
-          region.push_back(next);
-        }
-      }
-    }
     const int halfTurns = index.HalfTurns(region);
     std::vector<IndexCharge> candidates;
     candidates.reserve(region.size());

@@ -81,13 +81,9 @@ bool UmbilicPatch::StaysDisk(Id triangle) const
     if (neighbor >= 0 && this->Contains(neighbor))
     {
       // A side that both run through in the same direction cannot be glued in one orientation.
-      const Triangle& other = this->Mesh_.Corners(neighbor);
-      for (int i = 0; i < 3; ++i)
+      if (RunsThrough(this->Mesh_.Corners(neighbor), corners[side], corners[(side + 1) % 3]))
       {
-        if (other[i] == corners[side] && other[(i + 1) % 3] == corners[(side + 1) % 3])
-        {
-          return false;
-        }
+        return false;
       }
       ++shared;
     }

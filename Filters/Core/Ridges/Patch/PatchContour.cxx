@@ -25,16 +25,9 @@ PatchContour::PatchContour(const TriangleMesh& mesh, const std::vector<Id>& tria
   }
 }
 
-int PatchContour::SideOf(Id triangle, Id edge) const
-{
-  return this->Mesh_.EdgeOf(triangle, 0) == edge
-    ? 0
-    : (this->Mesh_.EdgeOf(triangle, 1) == edge ? 1 : 2);
-}
-
 Id PatchContour::Across(Id triangle, Id edge) const
 {
-  const int side = this->SideOf(triangle, edge);
+  const int side = this->Mesh_.SideOf(triangle, edge);
   return (this->Glued_.at(triangle) >> side & 1U) != 0 ? this->Mesh_.Neighbor(triangle, side) : -1;
 }
 
@@ -64,8 +57,8 @@ void PatchContour::GlueTree(Id root)
     {
       if (this->Contains(next.triangle) && tree.count(next.triangle) == 0)
       {
-        tree[reached[i]] |= 1U << this->SideOf(reached[i], next.edge);
-        tree[next.triangle] = 1U << this->SideOf(next.triangle, next.edge);
+        tree[reached[i]] |= 1U << this->Mesh_.SideOf(reached[i], next.edge);
+        tree[next.triangle] = 1U << this->Mesh_.SideOf(next.triangle, next.edge);
         reached.push_back(next.triangle);
       }
     }

@@ -43,7 +43,6 @@ private:
   void GlueTree(Id root);
   bool Walk();
   std::size_t NumberOfSides() const;
-  int SideOf(Id triangle, Id edge) const;
 
   const TriangleMesh& Mesh_;
   std::unordered_map<Id, unsigned> Glued_; ///< A bit for each side of a triangle.
