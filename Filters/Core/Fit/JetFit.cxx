@@ -41,7 +41,59 @@ bool PrincipalFrame(const Eigen::Ref<const Eigen::Matrix3Xd>& offsets, const Eig
   return true;
 }
 
+/// From coefficients of monomials in units of the radius to derivatives.
+void SetDerivatives(const Eigen::VectorXd& coefficients, int degree, JetFit& fit)
+{
+  double scale = fit.radius;
+  for (int d = 0; d <= degree; ++d, scale /= fit.radius)
+  {
+    for (int j = 0; j <= d; ++j)
+    {
+      const int i = HeightJet::Index(d - j, j);
+      fit.jet.derivatives[i] =
+        coefficients[i] * HeightJet::Factorial(d - j) * HeightJet::Factorial(j) * scale;
+    }
+  }
+}
+
 } // namespace
+
+// The points in the frame and in units of the radius: their heights, and the monomials of u and v.
+void JetFitter::SetMonomials(
+  const Eigen::Ref<const Eigen::Matrix3Xd>& offsets, const JetFit& fit, int degree)
+{
+  const Eigen::Index count = offsets.cols();
+  this->Matrix_.resize(count, HeightJet::Size(degree));
+  this->Heights_.resize(count);
+  for (Eigen::Index row = 0; row < count; ++row)
+  {
+    const Eigen::Vector3d local = fit.frame.transpose() * offsets.col(row) / fit.radius;
+    this->Heights_[row] = local[2];
+    this->Matrix_(row, 0) = 1.0;
+    for (int d = 1; d <= degree; ++d)
+    {
+      for (int j = 0; j < d; ++j)
+      {
+        this->Matrix_(row, HeightJet::Index(d - j, j)) =
+          this->Matrix_(row, HeightJet::Index(d - 1 - j, j)) * local[0];
+      }
+      this->Matrix_(row, HeightJet::Index(0, d)) =
+        this->Matrix_(row, HeightJet::Index(0, d - 1)) * local[1];
+    }
+  }
+}
+
+void JetFitter::Weigh(const Eigen::Ref<const Eigen::Matrix3Xd>& offsets, double radius)
+{
+  this->RootWeights_.resize(offsets.cols());
+  for (Eigen::Index row = 0; row < offsets.cols(); ++row)
+  {
+    this->RootWeights_[row] =
+      std::sqrt(GaussianWeight(offsets.col(row).squaredNorm(), radius * radius));
+  }
+  this->Matrix_.array().colwise() *= this->RootWeights_.array();
+  this->Heights_.array() *= this->RootWeights_.array();
+}
 
 JetFit JetFitter::Fit(const Eigen::Ref<const Eigen::Matrix3Xd>& offsets, int degree,
   const Eigen::Vector3d& side, Weighting weighting)
@@ -65,38 +117,13 @@ JetFit JetFitter::Fit(const Eigen::Ref<const Eigen::Matrix3Xd>& offsets, int deg
   }
 
   const int size = HeightJet::Size(degree);
-  this->Matrix_.resize(count, size);
-  this->Heights_.resize(count);
-  for (Eigen::Index row = 0; row < count; ++row)
-  {
-    const Eigen::Vector3d local = fit.frame.transpose() * offsets.col(row) / fit.radius;
-    this->Heights_[row] = local[2];
-    this->Matrix_(row, 0) = 1.0;
-    for (int d = 1; d <= degree; ++d)
-    {
-      for (int j = 0; j < d; ++j)
-      {
-        this->Matrix_(row, HeightJet::Index(d - j, j)) =
-          this->Matrix_(row, HeightJet::Index(d - 1 - j, j)) * local[0];
-      }
-      this->Matrix_(row, HeightJet::Index(0, d)) =
-        this->Matrix_(row, HeightJet::Index(0, d - 1)) * local[1];
-    }
-  }
-
+  this->SetMonomials(offsets, fit, degree);
   double totalWeight = static_cast<double>(count);
   this->RootWeights_.resize(0);
   if (weighting == Weighting::Gaussian)
   {
-    this->RootWeights_.resize(count);
-    for (Eigen::Index row = 0; row < count; ++row)
-    {
-      this->RootWeights_[row] =
-        std::sqrt(GaussianWeight(offsets.col(row).squaredNorm(), fit.radius * fit.radius));
-    }
+    this->Weigh(offsets, fit.radius);
     totalWeight = this->RootWeights_.squaredNorm();
-    this->Matrix_.array().colwise() *= this->RootWeights_.array();
-    this->Heights_.array() *= this->RootWeights_.array();
   }
 
   this->Solver_.compute(this->Matrix_);
@@ -107,17 +134,7 @@ JetFit JetFitter::Fit(const Eigen::Ref<const Eigen::Matrix3Xd>& offsets, int deg
     pivots[size - 1] > 0.0 ? pivots[0] / pivots[size - 1] : std::numeric_limits<double>::max();
   fit.residual = (this->Matrix_ * solution - this->Heights_).norm() / std::sqrt(totalWeight);
 
-  // From coefficients of monomials in units of the radius to derivatives.
-  double scale = fit.radius;
-  for (int d = 0; d <= degree; ++d, scale /= fit.radius)
-  {
-    for (int j = 0; j <= d; ++j)
-    {
-      const int i = HeightJet::Index(d - j, j);
-      fit.jet.derivatives[i] =
-        solution[i] * HeightJet::Factorial(d - j) * HeightJet::Factorial(j) * scale;
-    }
-  }
+  SetDerivatives(solution, degree, fit);
   fit.degree = degree;
   fit.status = static_cast<std::uint8_t>(fit.status & ~FitInvalid);
   if (fit.rank < size || fit.conditionNumber > IllConditionedAbove)

@@ -73,6 +73,10 @@ public:
   const Eigen::VectorXd& LastRootWeights() const { return this->RootWeights_; }
 
 private:
+  void SetMonomials(
+    const Eigen::Ref<const Eigen::Matrix3Xd>& offsets, const JetFit& fit, int degree);
+  void Weigh(const Eigen::Ref<const Eigen::Matrix3Xd>& offsets, double radius);
+
   Eigen::MatrixXd Matrix_;
   Eigen::VectorXd Heights_;
   Eigen::VectorXd RootWeights_;
