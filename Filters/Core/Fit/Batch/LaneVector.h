@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Arithmetic on RIDGES_LANES doubles at once. For kernels that are compiled once per instruction
 // set: all is in an unnamed namespace and nothing of the standard library is used, so that no code
-// for one instruction set can be linked in place of that for another.
+// for one instruction set can be linked in place of that for another. (xsimd 8.1 and Highway 1.0
+// were tried: the same speed and no less code, as compilers have all the operators that kernels
+// use.)
 #ifndef ridges_LaneVector_h
 #define ridges_LaneVector_h
 
