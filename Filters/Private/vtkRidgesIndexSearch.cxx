@@ -15,6 +15,7 @@
 #include "vtkRidgesUmbilicOutput.h"
 
 #include "vtkPolyData.h"
+#include "vtkSMPThreadLocal.h"
 
 #include <algorithm>
 #include <utility>
@@ -74,6 +75,7 @@ struct LookAtTriangles
 
   void operator()(vtkIdType begin, vtkIdType end)
   {
+    ridges::DirectionIndex::Scratch& scratch = this->perThread.Local();
     for (auto t = static_cast<ridges::Id>(begin); t < static_cast<ridges::Id>(end); ++t)
     {
       if (!this->index.IsUsable(t))
@@ -81,7 +83,7 @@ struct LookAtTriangles
         continue;
       }
       const bool looks = this->all || this->index.MayTurn(t, this->points.isTame);
-      this->halfTurns[t] = static_cast<std::int8_t>(looks ? this->index.HalfTurns(t) : 0);
+      this->halfTurns[t] = static_cast<std::int8_t>(looks ? this->index.HalfTurns(t, scratch) : 0);
       this->isWeak[t] = ridges::IsWeak(this->points.mesh, this->field,
                           this->points.gapErrors.data(), this->significance, t)
         ? 1
@@ -107,6 +109,7 @@ struct LookAtTriangles
   const LookAtPoints& points;
   double significance;
   bool all = false; ///< Whether to trust no cheap test.
+  vtkSMPThreadLocal<ridges::DirectionIndex::Scratch> perThread;
   std::vector<std::int8_t> halfTurns;
   std::vector<std::uint8_t> isWeak;
 };

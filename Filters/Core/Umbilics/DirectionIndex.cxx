@@ -17,13 +17,6 @@ namespace
 
 constexpr double Pi = 3.14159265358979323846;
 
-/// Scratch memory of each thread: a fan may have any number of triangles.
-std::vector<double>& AnglesOfFan()
-{
-  thread_local std::vector<double> angles;
-  return angles;
-}
-
 } // namespace
 
 DirectionIndex::DirectionIndex(
@@ -93,7 +86,7 @@ double DirectionIndex::Angle(Id triangle, int corner) const
 
 // The directions of the edges are known twice, by the stretched angles between them and by their
 // projection on the tangent plane: the angle of d1 is that at which both agree best.
-DirectionIndex::Fan DirectionIndex::FanAt(Id triangle, int corner) const
+DirectionIndex::Fan DirectionIndex::FanAt(Id triangle, int corner, Scratch& angles) const
 {
   const Id p = this->Mesh_.Corners(triangle)[corner];
 
@@ -126,7 +119,6 @@ DirectionIndex::Fan DirectionIndex::FanAt(Id triangle, int corner) const
   double total = 0.0;
   double area = 0.0;
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();
-  std::vector<double>& angles = AnglesOfFan();
   angles.clear();
   Id t = first;
   int c = cornerOfFirst;
@@ -195,9 +187,10 @@ DirectionIndex::Fan DirectionIndex::FanAt(Id triangle, int corner) const
   return fan;
 }
 
-DirectionIndex::Fans DirectionIndex::FansAt(Id triangle) const
+DirectionIndex::Fans DirectionIndex::FansAt(Id triangle, Scratch& scratch) const
 {
-  return { this->FanAt(triangle, 0), this->FanAt(triangle, 1), this->FanAt(triangle, 2) };
+  return { this->FanAt(triangle, 0, scratch), this->FanAt(triangle, 1, scratch),
+    this->FanAt(triangle, 2, scratch) };
 }
 
 double DirectionIndex::TurnWithin(Id triangle, int side, const Fans& fans) const
@@ -215,7 +208,7 @@ double DirectionIndex::TurnWithin(Id triangle, int side, const Fans& fans) const
   return std::remainder(atQ + flip - carried, 2.0 * Pi);
 }
 
-double DirectionIndex::TurnForBoth(Id triangle, int side) const
+double DirectionIndex::TurnForBoth(Id triangle, int side, Scratch& scratch) const
 {
   const Edge& edge = this->Mesh_.EdgeAt(this->Mesh_.EdgeOf(triangle, side));
   const Triangle& corners = this->Mesh_.Corners(triangle);
@@ -225,41 +218,42 @@ double DirectionIndex::TurnForBoth(Id triangle, int side) const
     const int sideInOther = CornerOf(other, corners[(side + 1) % 3]);
     if (other[(sideInOther + 1) % 3] == corners[side])
     {
-      return -this->TurnWithin(edge.t0, sideInOther, this->FansAt(edge.t0));
+      return -this->TurnWithin(edge.t0, sideInOther, this->FansAt(edge.t0, scratch));
     }
   }
-  return this->TurnWithin(triangle, side, this->FansAt(triangle));
+  return this->TurnWithin(triangle, side, this->FansAt(triangle, scratch));
 }
 
 // All turns around a triangle.
-double DirectionIndex::Turned(Id triangle) const
+double DirectionIndex::Turned(Id triangle, Scratch& scratch) const
 {
   // A turn by half a turn is one in either sense, and round-off decides in which: then one triangle
   // of the edge has to decide for both.
   constexpr double nearlyHalf = Pi - 1e-6;
-  const Fans fans = this->FansAt(triangle);
+  const Fans fans = this->FansAt(triangle, scratch);
   double turned = -Pi;
   for (int side = 0; side < 3; ++side)
   {
     const double turn = this->TurnWithin(triangle, side, fans);
     turned += fans[side].stretch * fans[side].corner;
-    turned += std::abs(turn) < nearlyHalf ? turn : this->TurnForBoth(triangle, side);
+    turned += std::abs(turn) < nearlyHalf ? turn : this->TurnForBoth(triangle, side, scratch);
   }
   return turned;
 }
 
-int DirectionIndex::HalfTurns(Id triangle) const
+int DirectionIndex::HalfTurns(Id triangle, Scratch& scratch) const
 {
-  return static_cast<int>(std::lround(this->Turned(triangle) / Pi));
+  return static_cast<int>(std::lround(this->Turned(triangle, scratch) / Pi));
 }
 
 int DirectionIndex::HalfTurns(const std::vector<Id>& region) const
 {
   // Edges inside count in both senses, for nothing.
+  Scratch scratch;
   double turned = 0.0;
   for (const Id t : region)
   {
-    turned += this->Turned(t);
+    turned += this->Turned(t, scratch);
   }
   return static_cast<int>(std::lround(turned / Pi));
 }

@@ -48,8 +48,10 @@ public:
    */
   bool MayTurn(Id triangle, const std::vector<std::uint8_t>& isTame) const;
 
-  /// Half turns around a triangle whose points are all usable: 0, 1, -1, and hardly ever more.
-  int HalfTurns(Id triangle) const;
+  /// Half turns around a triangle whose points are all usable: 0, 1, -1, and hardly ever more. The
+  /// scratch memory is for one thread at a time.
+  using Scratch = std::vector<double>;
+  int HalfTurns(Id triangle, Scratch& scratch) const;
 
   /// Half turns around connected triangles of which some may not be usable, but all next to them
   /// are.
@@ -64,15 +66,15 @@ private:
   };
   using Fans = std::array<Fan, 3>;
 
-  Fan FanAt(Id triangle, int corner) const;
-  Fans FansAt(Id triangle) const;
+  Fan FanAt(Id triangle, int corner, Scratch& angles) const;
+  Fans FansAt(Id triangle, Scratch& scratch) const;
   Id AcrossInFan(Id triangle, int corner, int side, int& cornerOfNeighbor) const;
   Id NextInFan(Id triangle, int corner, int& cornerOfNext) const;
   Id PreviousInFan(Id triangle, int corner, int& cornerOfPrevious) const;
   double Angle(Id triangle, int corner) const;
   double TurnWithin(Id triangle, int side, const Fans& fans) const;
-  double TurnForBoth(Id triangle, int side) const;
-  double Turned(Id triangle) const;
+  double TurnForBoth(Id triangle, int side, Scratch& scratch) const;
+  double Turned(Id triangle, Scratch& scratch) const;
 
   const TriangleMesh& Mesh_;
   MongeField Field_;

@@ -1,3 +1,4 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkRidges contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
 // Minima of k1 - k2 with an index: on made-up fields and on surfaces whose umbilics are known.
