@@ -166,7 +166,7 @@ private:
   std::vector<std::size_t> SingularTrianglesOf(
     vtkIdType point, const std::vector<vtkIdType>& neighbors) const;
   std::size_t ExpectedEndsAt(const MongeMesh::Region& region, std::size_t crossings) const;
-  bool IsDrawnAnew(std::size_t region) const;
+  bool MayBeDrawnAnew(std::size_t region) const;
   std::vector<std::size_t> EarsAmong(
     const std::vector<std::size_t>& triangles, const EdgeKey& edge) const;
   double PlaceOnBorder(std::size_t triangle, vtkIdType point) const;
@@ -208,7 +208,7 @@ void ColorCheck::ExpectCrossings() const
   for (const auto& [edge, sides] : this->Mesh_.sides)
   {
     const std::size_t region = this->Mesh_.RegionAround(edge);
-    if (region != MongeMesh::None && this->IsDrawnAnew(region))
+    if (region != MongeMesh::None && this->MayBeDrawnAnew(region))
     {
       continue;
     }
@@ -220,16 +220,30 @@ void ColorCheck::ExpectCrossings() const
   }
 }
 
-/// Whether more or other triangles are singular in a region than that of its umbilic.
-bool ColorCheck::IsDrawnAnew(std::size_t region) const
+/// False where the acute rule alone draws a region for certain: where no triangle is singular, or
+/// only that of an umbilic of one ridge at which one arrives, which then comes from the contour.
+/// (Of three ridges two might join.)
+bool ColorCheck::MayBeDrawnAnew(std::size_t region) const
 {
   const MongeMesh::Region& r = this->Mesh_.regions[region];
-  const std::size_t crossings = this->Mesh_.CountContourCrossings(region, this->Maximum_);
-  if (r.umbilic == MongeMesh::None)
+  const auto isSingular = [this](std::size_t t) { return this->Mesh_.IsSingular(t); };
+  const auto singular = std::count_if(r.triangles.begin(), r.triangles.end(), isSingular);
+  if (singular == 0)
   {
-    return crossings % 2 == 0;
+    return false;
   }
-  return true;
+  if (singular > 1 || r.umbilic == MongeMesh::None || !isSingular(r.umbilic) || r.ridgeCount != 1 ||
+    !this->Mesh_.IsDisk(r))
+  {
+    return true;
+  }
+  int arriving = 0;
+  for (int side = 0; side < 3; ++side)
+  {
+    const EdgeKey edge = this->Mesh_.SideOf(r.umbilic, side);
+    arriving += this->Mesh_.Crosses(edge, this->Maximum_) ? 1 : 0;
+  }
+  return arriving != 1;
 }
 
 std::vector<std::size_t> ColorCheck::SingularTrianglesOf(
@@ -239,7 +253,7 @@ std::vector<std::size_t> ColorCheck::SingularTrianglesOf(
   for (const std::size_t t : this->Mesh_.TrianglesWith(this->EdgesOf(neighbors)))
   {
     const std::size_t region = this->Mesh_.regionOf[t];
-    const bool marched = region == MongeMesh::None || !this->IsDrawnAnew(region);
+    const bool marched = region == MongeMesh::None || !this->MayBeDrawnAnew(region);
     if (marched && this->Mesh_.IsSingular(t) &&
       this->Mesh_.Contains(t, PointAt(this->Ridges_, point)))
     {
@@ -310,7 +324,8 @@ void ColorCheck::ExpectEnds()
   for (std::size_t t = 0; t < this->Mesh_.triangles.size(); ++t)
   {
     const std::size_t region = this->Mesh_.regionOf[t];
-    const bool marched = region == MongeMesh::None || !this->IsDrawnAnew(region);
+    const bool marched = region == MongeMesh::None ||
+      (!this->MayBeDrawnAnew(region) && this->Mesh_.regions[region].umbilic != t);
     singular += marched && this->Mesh_.IsSingular(t) ? 1 : 0;
   }
   ASSERT_EQ(ends.size(), singular);
