@@ -280,16 +280,14 @@ void RidgeComparison::PrintTables(int eulerCharacteristic) const
 }
 
 //------------------------------------------------------------------------------
-void RidgeComparison::PrintLine(int eulerCharacteristic) const
+RidgeScore RidgeComparison::Score() const
 {
-  double indexSum = 0.0;
+  RidgeScore score;
   for (const FoundUmbilic& umbilic : this->Found.umbilics)
   {
-    indexSum += umbilic.index;
+    score.indexSum += umbilic.index;
   }
-  int right = 0;
-  int joined = 0;
-  double farthest = 0.0;
+  score.umbilics = static_cast<int>(this->True.umbilics.size());
   for (std::size_t i = 0; i < this->FoundOfTrue.size(); ++i)
   {
     const int j = this->FoundOfTrue[i];
@@ -299,19 +297,36 @@ void RidgeComparison::PrintLine(int eulerCharacteristic) const
     }
     const ExactUmbilic& umbilic = this->True.umbilics[i];
     const FoundUmbilic& found = this->Found.umbilics[j];
-    farthest = std::max(farthest, (found.position - umbilic.position).norm() / this->Edge);
-    right += found.index == umbilic.index && found.ridgeCount == umbilic.ridgeCount ? 1 : 0;
-    joined +=
-      this->EndsAt(j, true) == umbilic.ridgeCount && this->EndsAt(j, false) == umbilic.ridgeCount
-      ? 1
-      : 0;
+    score.farthest =
+      std::max(score.farthest, (found.position - umbilic.position).norm() / this->Edge);
+    const bool right = found.index == umbilic.index && found.ridgeCount == umbilic.ridgeCount;
+    const bool joined =
+      this->EndsAt(j, true) == umbilic.ridgeCount && this->EndsAt(j, false) == umbilic.ridgeCount;
+    score.rightUmbilics += right ? 1 : 0;
+    score.joinedUmbilics += joined ? 1 : 0;
   }
-  const auto spurious = std::count(this->TrueOfFound.begin(), this->TrueOfFound.end(), -1);
-  std::printf("umbilics %d/%zu right (+%d spurious, %d joined, off %.2f), index %g/%d; ridges "
-              "%d/%zu whole, %d missing, %d spurious; 95%% %.3f %.3f max %.2f %.2f%s\n",
-    right, this->True.umbilics.size(), static_cast<int>(spurious), joined, farthest, indexSum,
-    eulerCharacteristic, this->WholeRidges, this->True.ridges.size(), this->MissingRidges,
-    this->SpuriousRidges, this->OfFound.colors[0].percentile95,
+  score.spuriousUmbilics =
+    static_cast<int>(std::count(this->TrueOfFound.begin(), this->TrueOfFound.end(), -1));
+  score.ridges = static_cast<int>(this->True.ridges.size());
+  score.wholeRidges = this->WholeRidges;
+  score.missingRidges = this->MissingRidges;
+  score.spuriousRidges = this->SpuriousRidges;
+  for (const int end : { FoundEnd::Nowhere, FoundEnd::OnEdge })
+  {
+    score.looseEnds += this->EndsAt(end, true) + this->EndsAt(end, false);
+  }
+  return score;
+}
+
+//------------------------------------------------------------------------------
+void RidgeComparison::PrintLine(int eulerCharacteristic) const
+{
+  const RidgeScore score = this->Score();
+  std::printf("umbilics %d/%d right (+%d spurious, %d joined, off %.2f), index %g/%d; ridges "
+              "%d/%d whole, %d missing, %d spurious; 95%% %.3f %.3f max %.2f %.2f%s\n",
+    score.rightUmbilics, score.umbilics, score.spuriousUmbilics, score.joinedUmbilics,
+    score.farthest, score.indexSum, eulerCharacteristic, score.wholeRidges, score.ridges,
+    score.missingRidges, score.spuriousRidges, this->OfFound.colors[0].percentile95,
     this->OfFound.colors[1].percentile95, this->OfFound.colors[0].greatest,
     this->OfFound.colors[1].greatest,
     DoubtsAbout(this->True.ridges, this->True.umbilics).empty() ? "" : " (reference in doubt)");

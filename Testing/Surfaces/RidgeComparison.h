@@ -9,6 +9,7 @@
 #include "RidgeCoverage.h"
 #include "TruthCache.h"
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -17,10 +18,31 @@ namespace ridges
 namespace testing
 {
 
+// How much of a picture is right.
+struct RidgeScore
+{
+  int umbilics = 0;         // true ones
+  int rightUmbilics = 0;    // found with their index and ridge count
+  int joinedUmbilics = 0;   // where as many ridges of each colour end as are to
+  int spuriousUmbilics = 0; // found, but not there
+  double indexSum = 0.0;    // of those found
+  double farthest = 0.0;    // umbilic from its true place, in edges
+  int ridges = 0;           // true ones
+  int wholeRidges = 0;      // found in one piece, between the same umbilics
+  int missingRidges = 0;    // more than half of which is not found
+  int spuriousRidges = 0;   // found, but not there
+  int looseEnds = 0;        // of those found, at no umbilic
+};
+
 class RidgeComparison
 {
 public:
   RidgeComparison(Truth truth, FoundPicture found, double edge);
+
+  RidgeScore Score() const;
+  const std::array<Coverage, 2>& FoundToTrue() const { return this->OfFound.colors; }
+  // Ridges that are not whole or not there, a line each.
+  const std::vector<std::string>& Faults() const { return this->RidgeFaults; }
 
   void PrintTables(int eulerCharacteristic) const;
   void PrintLine(int eulerCharacteristic) const;

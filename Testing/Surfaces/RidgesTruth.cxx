@@ -16,20 +16,16 @@
 //
 // Lengths of positions and distances are in edges of the mesh. A ridge is a whole one (RidgeId).
 
+#include "FilterPicture.h"
+#include "FilterTestTools.h"
 #include "RidgeComparison.h"
 #include "TruthCache.h"
 
 #include "EvenMesh.h"
 
-#include "vtkCellArray.h"
-#include "vtkCellData.h"
 #include "vtkDataArray.h"
-#include "vtkFieldData.h"
-#include "vtkIdList.h"
 #include "vtkJetFitting.h"
 #include "vtkNew.h"
-#include "vtkPointData.h"
-#include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkRidgeCoherence.h"
 #include "vtkRidgeExtraction.h"
@@ -42,7 +38,6 @@
 #include <chrono>
 #include <cstdio>
 #include <exception>
-#include <map>
 #include <random>
 #include <stdexcept>
 #include <string>
@@ -137,98 +132,6 @@ Eigen::Matrix3d RandomRotation(std::uint64_t seed)
     }
   } while (q.norm() > 1.0 || q.norm() < 0.1);
   return Eigen::Quaterniond(q).normalized().toRotationMatrix();
-}
-
-//------------------------------------------------------------------------------
-vtkSmartPointer<vtkPolyData> ToPolyData(const Mesh& mesh)
-{
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  for (std::size_t p = 0; p < mesh.PointCount(); ++p)
-  {
-    points->InsertNextPoint(mesh.Point(p).data());
-  }
-  vtkNew<vtkCellArray> triangles;
-  for (std::size_t t = 0; t < mesh.TriangleCount(); ++t)
-  {
-    triangles->InsertNextCell(
-      { mesh.triangles[3 * t], mesh.triangles[3 * t + 1], mesh.triangles[3 * t + 2] });
-  }
-  auto data = vtkSmartPointer<vtkPolyData>::New();
-  data->SetPoints(points);
-  data->SetPolys(triangles);
-  return data;
-}
-
-//------------------------------------------------------------------------------
-vtkDataArray* ArrayOf(vtkFieldData* data, const char* name)
-{
-  vtkDataArray* array = data->GetArray(name);
-  if (!array)
-  {
-    throw std::runtime_error(std::string("the filters gave no array ") + name);
-  }
-  return array;
-}
-
-//------------------------------------------------------------------------------
-// What the filters found, turned back into the place of the surface.
-FoundPicture PictureOf(vtkPolyData* umbilics, vtkPolyData* ridges, const Eigen::Matrix3d& rotation)
-{
-  FoundPicture picture;
-  const auto place = [&](vtkPolyData* data, vtkIdType id) -> Vector3d
-  { return rotation.transpose() * Vector3d(data->GetPoint(id)); };
-  for (vtkIdType i = 0; i < umbilics->GetNumberOfPoints(); ++i)
-  {
-    vtkPointData* values = umbilics->GetPointData();
-    picture.umbilics.push_back({ place(umbilics, i), ArrayOf(values, "Index")->GetComponent(i, 0),
-      static_cast<int>(ArrayOf(values, "RidgeCount")->GetComponent(i, 0)) });
-  }
-
-  if (ridges->GetNumberOfLines() == 0)
-  {
-    return picture;
-  }
-  vtkDataArray* type = ArrayOf(ridges->GetCellData(), "RidgeType");
-  vtkDataArray* ridgeId = ArrayOf(ridges->GetCellData(), "RidgeId");
-  vtkDataArray* umbilic = ArrayOf(ridges->GetPointData(), "Umbilic");
-  vtkDataArray* edgePoint = ArrayOf(ridges->GetPointData(), "EdgePoint0");
-  vtkDataArray* turningPoint = ArrayOf(ridges->GetPointData(), "TurningPoint");
-  std::map<vtkIdType, FoundRidge> byId;
-  std::map<vtkIdType, std::map<vtkIdType, int>> endsOf; // of polylines, by ridge and point
-  vtkNew<vtkIdList> line;
-  vtkIdType cell = 0;
-  for (ridges->GetLines()->InitTraversal(); ridges->GetLines()->GetNextCell(line); ++cell)
-  {
-    const auto id = static_cast<vtkIdType>(ridgeId->GetComponent(cell, 0));
-    FoundRidge& ridge = byId[id];
-    FoundLine found;
-    found.type = static_cast<int>(type->GetComponent(cell, 0));
-    for (vtkIdType i = 0; i < line->GetNumberOfIds(); ++i)
-    {
-      found.points.push_back(place(ridges, line->GetId(i)));
-    }
-    ridge.lines.push_back(found);
-    ++endsOf[id][line->GetId(0)];
-    ++endsOf[id][line->GetId(line->GetNumberOfIds() - 1)];
-  }
-  for (auto& item : byId)
-  {
-    for (const auto& end : endsOf[item.first])
-    {
-      const vtkIdType point = end.first;
-      const bool isUmbilic = umbilic->GetComponent(point, 0) >= 0.0 ||
-        (edgePoint->GetComponent(point, 0) < 0.0 && turningPoint->GetComponent(point, 0) == 0.0);
-      const int count = isUmbilic ? end.second : end.second % 2;
-      for (int i = 0; i < count; ++i)
-      {
-        item.second.ends.push_back({ place(ridges, point),
-          isUmbilic ? static_cast<int>(umbilic->GetComponent(point, 0)) : FoundEnd::OnEdge });
-      }
-    }
-    picture.ridges.push_back(item.second);
-  }
-  return picture;
 }
 
 //------------------------------------------------------------------------------
