@@ -9,6 +9,12 @@
 #include "RidgeComparison.h"
 #include "TruthCache.h"
 
+#include "vtkJetFitting.h"
+#include "vtkNew.h"
+#include "vtkPolyData.h"
+#include "vtkRidgeExtraction.h"
+#include "vtkUmbilicDetection.h"
+
 #include <gtest/gtest.h>
 
 #include <ostream>
@@ -52,9 +58,15 @@ TEST_P(RidgesTruth, UmbilicsAndRidgesAreThoseOfTheSurface)
   const Truth truth = cache.TruthWith(expected.reference);
   ASSERT_TRUE(DoubtsAbout(truth.ridges, truth.umbilics).empty());
 
-  const Outputs outputs = RunFilters(ToPolyData(mesh));
+  vtkNew<vtkJetFitting> jets;
+  vtkNew<vtkUmbilicDetection> umbilics;
+  vtkNew<vtkRidgeExtraction> ridges;
+  jets->SetInputData(ToPolyData(mesh));
+  umbilics->SetInputConnection(jets->GetOutputPort());
+  ridges->SetInputConnection(umbilics->GetOutputPort());
+  ridges->Update();
   const RidgeComparison comparison(
-    truth, PictureOf(outputs.umbilics, outputs.ridges), MeanEdgeLength(mesh));
+    truth, PictureOf(umbilics->GetOutput(1), ridges->GetOutput()), MeanEdgeLength(mesh));
   const RidgeScore score = comparison.Score();
   EXPECT_EQ(score.rightUmbilics, score.umbilics);
   EXPECT_EQ(score.joinedUmbilics, score.umbilics);
