@@ -10,8 +10,8 @@
 class vtkDataArray;
 
 /**
- * Gives arrays of numbers, whose components are set, memory for so many tuples, in large pages where
- * it is large. Nothing is set to a value. Private to the module.
+ * Gives arrays of numbers, whose components are set, memory for so many tuples, in large pages
+ * where it is large. Nothing is set to a value. Private to the module.
  */
 void vtkRidgesAllocate(const std::vector<vtkDataArray*>& arrays, vtkIdType numberOfTuples);
 

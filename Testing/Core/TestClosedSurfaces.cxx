@@ -72,18 +72,14 @@ class ClosedSurfaces : public testing::TestWithParam<Expected>
 {
 };
 
-} // namespace
-
 //------------------------------------------------------------------------------
-TEST_P(ClosedSurfaces, HaveEvenMeshes)
+void ExpectEvenMesh(const ClosedSurface& closed, const Mesh& mesh, double points)
 {
-  const ClosedSurface closed = ClosedSurfaceByName(this->GetParam().name);
-  const Mesh mesh = EvenMesh(closed.surface, closed.halfSize, 8000);
-  EXPECT_NEAR(static_cast<double>(mesh.PointCount()) / 8000.0, 1.0, 0.08);
+  EXPECT_NEAR(static_cast<double>(mesh.PointCount()) / points, 1.0, 0.08);
   const MeshTopology topology = Topology(mesh);
   EXPECT_TRUE(topology.oriented);
   EXPECT_EQ(topology.borderEdges, 0);
-  EXPECT_EQ(topology.EulerCharacteristic(), this->GetParam().eulerCharacteristic);
+  EXPECT_EQ(topology.EulerCharacteristic(), closed.eulerCharacteristic);
   EXPECT_TRUE(IsConnected(mesh));
   EXPECT_GT(SignedVolume(mesh), 0.0);
   EXPECT_GT(SmallestAngle(mesh), 20.0 / 180.0 * EIGEN_PI);
@@ -97,12 +93,16 @@ TEST_P(ClosedSurfaces, HaveEvenMeshes)
   }
 }
 
+} // namespace
+
 //------------------------------------------------------------------------------
-TEST_P(ClosedSurfaces, HaveTheseUmbilics)
+TEST_P(ClosedSurfaces, HaveEvenMeshesAndTheseUmbilics)
 {
   const Expected& expected = this->GetParam();
   const ClosedSurface closed = ClosedSurfaceByName(expected.name);
+  EXPECT_EQ(closed.eulerCharacteristic, expected.eulerCharacteristic);
   const Mesh mesh = EvenMesh(closed.surface, closed.halfSize, 10000);
+  ExpectEvenMesh(closed, mesh, 10000.0);
   const std::vector<ExactUmbilic> umbilics = FindUmbilics(closed.surface, mesh);
   int positive = 0;
   int withThree = 0;
