@@ -157,7 +157,7 @@ void vtkRidgesIndexSearch::Gather(double patchSize, vtkRidgesUmbilicOutput& foun
   ridges::SpreadLargeCharges(this->Mesh, this->Charges);
   ridges::UmbilicGathering gathering(this->Mesh, this->Monge.arrays.GetField(), this->Charges,
     this->IsWeak, this->Usable, vtkRidgesRangeLoop);
-  found.umbilics = gathering.Umbilics(patchSize);
+  found.umbilics = gathering.Umbilics(patchSize, vtkRidgesRangeLoop);
   found.cancelled = gathering.CancelledRegions();
   found.zones = ridges::WeakZones(this->Mesh, this->IsWeak);
 }

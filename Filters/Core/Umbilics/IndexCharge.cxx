@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Umbilics/IndexCharge.h"
 
+#include "Mesh/IdTable.h"
 #include "Mesh/PositionOrder.h"
 #include "Mesh/Regions.h"
 
@@ -22,47 +23,80 @@ int SumOf(const std::vector<IndexCharge>& charges)
 
 void SortByPosition(const TriangleMesh& mesh, std::vector<IndexCharge>& charges)
 {
-  std::sort(charges.begin(), charges.end(),
-    [&mesh](const IndexCharge& a, const IndexCharge& b)
-    { return ComesBefore(mesh, a.triangle, b.triangle); });
+  struct Placed
+  {
+    double x;
+    IndexCharge charge;
+  };
+  const auto precedes = [&mesh](const Placed& a, const Placed& b)
+  { return a.x != b.x ? a.x < b.x : ComesBefore(mesh, a.charge.triangle, b.charge.triangle); };
+  std::vector<Placed> placed;
+  placed.reserve(charges.size());
+  for (const IndexCharge& charge : charges)
+  {
+    placed.push_back({ mesh.Centroid(charge.triangle)[0], charge });
+  }
+  if (std::is_sorted(placed.begin(), placed.end(), precedes))
+  {
+    return;
+  }
+  std::sort(placed.begin(), placed.end(), precedes);
+  std::transform(placed.begin(), placed.end(), charges.begin(),
+    [](const Placed& entry) { return entry.charge; });
 }
+
+namespace
+{
+
+/// Gives the excess of a large charge to the nearest ones of the opposite sign.
+void Spread(const TriangleMesh& mesh, std::vector<IndexCharge>& charges,
+  const std::unordered_map<Id, std::size_t>& chargeOf, IndexCharge& large)
+{
+  // Farther away nothing is gained: what turns that fast is a sharp feature of a coarse mesh.
+  constexpr std::size_t reach = 1000;
+  std::vector<Id> reached{ large.triangle };
+  IdTable<bool> isReached;
+  isReached[large.triangle] = true;
+  for (std::size_t i = 0; i < reached.size() && std::abs(large.halfTurns) > 1; ++i)
+  {
+    const int sign = large.halfTurns > 0 ? 1 : -1;
+    const auto found = chargeOf.find(reached[i]);
+    if (found != chargeOf.end() && charges[found->second].halfTurns == -sign)
+    {
+      charges[found->second].halfTurns = sign;
+      large.halfTurns -= 2 * sign;
+    }
+    for (const NeighborAcross& next : NeighborsByPosition(mesh, reached[i]))
+    {
+      if (reached.size() < reach && !isReached.Contains(next.triangle))
+      {
+        isReached[next.triangle] = true;
+        reached.push_back(next.triangle);
+      }
+    }
+  }
+}
+
+} // namespace
 
 void SpreadLargeCharges(const TriangleMesh& mesh, std::vector<IndexCharge>& charges)
 {
-  // Far away nothing is gained: what turns that fast is a sharp feature of a coarse mesh.
-  constexpr std::size_t reach = 1000;
   SortByPosition(mesh, charges);
+  const auto isLarge = [](const IndexCharge& charge) { return std::abs(charge.halfTurns) > 1; };
+  if (std::none_of(charges.begin(), charges.end(), isLarge))
+  {
+    return;
+  }
   std::unordered_map<Id, std::size_t> chargeOf;
   for (std::size_t i = 0; i < charges.size(); ++i)
   {
     chargeOf[charges[i].triangle] = i;
   }
-  for (IndexCharge& large : charges)
+  for (IndexCharge& charge : charges)
   {
-    std::vector<Id> reached;
-    std::unordered_map<Id, bool> isReached;
-    if (std::abs(large.halfTurns) > 1)
+    if (isLarge(charge))
     {
-      reached.push_back(large.triangle);
-      isReached[large.triangle] = true;
-    }
-    for (std::size_t i = 0; i < reached.size() && std::abs(large.halfTurns) > 1; ++i)
-    {
-      const int sign = large.halfTurns > 0 ? 1 : -1;
-      const auto found = chargeOf.find(reached[i]);
-      if (found != chargeOf.end() && charges[found->second].halfTurns == -sign)
-      {
-        charges[found->second].halfTurns = sign;
-        large.halfTurns -= 2 * sign;
-      }
-      for (const NeighborAcross& next : NeighborsByPosition(mesh, reached[i]))
-      {
-        if (reached.size() < reach && !isReached[next.triangle])
-        {
-          isReached[next.triangle] = true;
-          reached.push_back(next.triangle);
-        }
-      }
+      Spread(mesh, charges, chargeOf, charge);
     }
   }
   charges.erase(std::remove_if(charges.begin(), charges.end(),

@@ -17,6 +17,11 @@ struct Cancellation
   TriangleGroups regions;
   std::vector<Id> regionOf; ///< For each triangle its region, or NoRegion. Empty without regions.
   std::vector<IndexCharge> kept; ///< By position.
+
+  Id RegionOf(Id triangle) const
+  {
+    return this->regionOf.empty() ? NoRegion : this->regionOf[triangle];
+  }
 };
 
 /**

@@ -2,13 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Umbilics/UmbilicGathering.h"
 
-#include "Monge/AcuteRule.h"
+#include "Mesh/PointTree.h"
+#include "Umbilics/PatchChoice.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdlib>
-#include <limits>
-#include <numeric>
 #include <utility>
 
 namespace ridges
@@ -20,7 +18,7 @@ UmbilicGathering::UmbilicGathering(const TriangleMesh& mesh, const MongeField& f
   : Mesh_(mesh)
   , Field_(field)
   , Usable_(usable)
-  , Patch_(mesh)
+  , HalfTurns_(mesh.NumberOfTriangles(), 0)
 {
   std::vector<IndexCharge> unusable;
   std::vector<IndexCharge> measured;
@@ -32,11 +30,10 @@ UmbilicGathering::UmbilicGathering(const TriangleMesh& mesh, const MongeField& f
   this->Cancellation_ = CancelPairs(mesh, std::move(measured), isWeak, loop);
   std::vector<IndexCharge>& kept = this->Cancellation_.kept;
   kept.insert(kept.end(), unusable.begin(), unusable.end());
-  this->IsSwallowed_.assign(this->Cancellation_.regions.size(), false);
 }
 
 // Patches within half the distance between their first centroids cannot share a triangle.
-std::vector<double> UmbilicGathering::HalfWaysToNext() const
+std::vector<double> UmbilicGathering::HalfWaysToNext(const RangeLoop& loop) const
 {
   const std::vector<IndexCharge>& kept = this->Cancellation_.kept;
   std::vector<Eigen::Vector3d> centers;
@@ -45,120 +42,79 @@ std::vector<double> UmbilicGathering::HalfWaysToNext() const
   {
     centers.push_back(this->Mesh_.Centroid(charge.triangle));
   }
-  std::vector<std::size_t> order(kept.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::sort(order.begin(), order.end(),
-    [&centers](std::size_t i, std::size_t j) { return centers[i][0] < centers[j][0]; });
-  std::vector<double> nearest(kept.size(), std::numeric_limits<double>::max());
-  for (std::size_t i = 0; i < order.size(); ++i)
-  {
-    const Eigen::Vector3d& center = centers[order[i]];
-    double& least = nearest[order[i]];
-    const auto look = [&](std::size_t j)
+  const PointTree tree(centers);
+  std::vector<double> halfWays(kept.size(), 0.0);
+  loop(static_cast<Id>(kept.size()),
+    [&tree, &halfWays](Id begin, Id end)
     {
-      least = std::min(least, (centers[order[j]] - center).norm());
-      return std::abs(centers[order[j]][0] - center[0]) < least;
-    };
-    for (std::size_t j = i; j-- > 0 && look(j);)
-    {
-    }
-    for (std::size_t j = i + 1; j < order.size() && look(j); ++j)
-    {
-    }
-  }
-  for (double& distance : nearest)
-  {
-    distance *= 0.5;
-  }
-  return nearest;
-}
-
-std::vector<Id> UmbilicGathering::ChoosePatch(
-  const IndexCharge& charge, int ridgeCount, double radius, double halfWay)
-{
-  const Span<Id> patch =
-    this->Patch_.GrowTo(charge.triangle, std::min(2.0 * radius, halfWay * (1.0 - 1e-12)));
-  const std::vector<double>& thresholds = this->Patch_.Thresholds();
-  std::unordered_map<Id, Id> orderOf;
-  std::unordered_map<Id, Id> insideOfRegion;
-  int halfTurns = 0;
-  int partialRegions = 0;
-  int crossings[2] = { 0, 0 };
-  Id matching = 0;
-  Id valid = 1;
-  for (Id i = 0; i < patch.size(); ++i)
-  {
-    if (thresholds[i] > radius && matching > 0)
-    {
-      break;
-    }
-    const Id t = patch[i];
-    if (i > 0 && !AreUsable(this->Mesh_.Corners(t), this->Usable_))
-    {
-      break;
-    }
-    orderOf[t] = i;
-    const auto turns = this->HalfTurns_.find(t);
-    halfTurns += turns != this->HalfTurns_.end() ? turns->second : 0;
-    const Id region = this->RegionOf(t);
-    if (region != Cancellation::NoRegion)
-    {
-      const Id inside = ++insideOfRegion[region];
-      partialRegions += inside == 1 ? 1 : 0;
-      partialRegions -= inside == this->Cancellation_.regions[region].size() ? 1 : 0;
-    }
-    const Triangle& corners = this->Mesh_.Corners(t);
-    for (int side = 0; side < 3; ++side)
-    {
-      const auto neighbor = orderOf.find(this->Mesh_.Neighbor(t, side));
-      const int change = neighbor != orderOf.end() ? -1 : 1;
-      const Id p = corners[side];
-      const Id q = corners[(side + 1) % 3];
-      crossings[0] += IsCrossed(this->Field_, Color::Blue, p, q) ? change : 0;
-      crossings[1] += IsCrossed(this->Field_, Color::Red, p, q) ? change : 0;
-    }
-
-    const bool isValid = halfTurns == charge.halfTurns && partialRegions == 0;
-    if (isValid && crossings[0] == ridgeCount && crossings[1] == ridgeCount)
-    {
-      matching = i + 1;
-    }
-    if (isValid && thresholds[i] <= radius)
-    {
-      valid = i + 1;
-    }
-  }
-  const Id size = matching > 0 ? matching : valid;
-  return std::vector<Id>(patch.begin(), patch.begin() + size);
-}
-
-std::vector<Umbilic> UmbilicGathering::Umbilics(double patchSize)
-{
-  const std::vector<double> halfWays = this->HalfWaysToNext();
-  std::vector<Umbilic> umbilics;
-  this->IsSwallowed_.assign(this->Cancellation_.regions.size(), false);
-  for (std::size_t i = 0; i < this->Cancellation_.kept.size(); ++i)
-  {
-    const IndexCharge& charge = this->Cancellation_.kept[i];
-    const double index = charge.halfTurns > 0 ? 0.5 : -0.5;
-    Umbilic umbilic = MakeUmbilic(this->Mesh_, this->Field_, charge.triangle, index, {});
-    // Where several cannot be told apart the first has the patch.
-    const Umbilic alike = umbilic;
-    const double radius = patchSize * this->Patch_.OneRingGrade(charge.triangle);
-    umbilic.patch = this->ChoosePatch(charge, umbilic.ridgeCount, radius, halfWays[i]);
-    umbilic.touchesBorder = TouchesBorder(this->Mesh_, umbilic.patch);
-    for (const Id t : umbilic.patch)
-    {
-      const Id region = this->RegionOf(t);
-      if (region != Cancellation::NoRegion)
+      for (Id i = begin; i < end; ++i)
       {
-        this->IsSwallowed_[region] = true;
+        halfWays[i] = 0.5 * tree.DistanceToNearestOther(i);
       }
+    });
+  return halfWays;
+}
+
+std::vector<Umbilic> UmbilicGathering::Umbilics(double patchSize, const RangeLoop& loop)
+{
+  const std::vector<IndexCharge>& kept = this->Cancellation_.kept;
+  const std::vector<double> halfWays = this->HalfWaysToNext(loop);
+  const PatchSurroundings surroundings{ this->Mesh_, this->Field_, this->Usable_,
+    this->Cancellation_, this->HalfTurns_ };
+  std::vector<Umbilic> found(kept.size());
+  // Some at a time with the same scratch memory.
+  constexpr Id share = 64;
+  const Id count = static_cast<Id>(kept.size());
+  loop((count + share - 1) / share,
+    [&surroundings, &halfWays, &found, patchSize, count, this](Id begin, Id end)
+    {
+      PatchChoice choice(surroundings);
+      for (Id i = share * begin; i < std::min(share * end, count); ++i)
+      {
+        found[i] = this->MakeUmbilicWithPatch(
+          this->Cancellation_.kept[i], choice, patchSize, halfWays[i] * (1.0 - 1e-12));
+      }
+    });
+
+  std::vector<Umbilic> umbilics;
+  umbilics.reserve(found.size());
+  this->IsSwallowed_.assign(this->Cancellation_.regions.size(), 0);
+  for (std::size_t i = 0; i < kept.size(); ++i)
+  {
+    this->MarkSwallowed(found[i].patch);
+    umbilics.push_back(std::move(found[i]));
+    if (std::abs(kept[i].halfTurns) > 1)
+    {
+      // Several that cannot be told apart: the first has the patch.
+      Umbilic alike = umbilics.back();
+      alike.patch.clear();
+      alike.touchesBorder = false;
+      umbilics.insert(umbilics.end(), std::abs(kept[i].halfTurns) - 1, alike);
     }
-    umbilics.push_back(std::move(umbilic));
-    umbilics.insert(umbilics.end(), std::abs(charge.halfTurns) - 1, alike);
   }
   return umbilics;
+}
+
+Umbilic UmbilicGathering::MakeUmbilicWithPatch(
+  const IndexCharge& charge, PatchChoice& choice, double patchSize, double limit) const
+{
+  const double index = charge.halfTurns > 0 ? 0.5 : -0.5;
+  Umbilic umbilic = MakeUmbilic(this->Mesh_, this->Field_, charge.triangle, index, {});
+  umbilic.patch = choice.Choose(charge, umbilic.ridgeCount, patchSize, limit);
+  umbilic.touchesBorder = TouchesBorder(this->Mesh_, umbilic.patch);
+  return umbilic;
+}
+
+void UmbilicGathering::MarkSwallowed(const std::vector<Id>& patch)
+{
+  for (const Id t : patch)
+  {
+    const Id region = this->Cancellation_.RegionOf(t);
+    if (region != Cancellation::NoRegion)
+    {
+      this->IsSwallowed_[region] = 1;
+    }
+  }
 }
 
 TriangleGroups UmbilicGathering::CancelledRegions() const
@@ -166,7 +122,7 @@ TriangleGroups UmbilicGathering::CancelledRegions() const
   TriangleGroups outside;
   for (std::size_t i = 0; i < this->Cancellation_.regions.size(); ++i)
   {
-    if (!this->IsSwallowed_[i])
+    if (this->IsSwallowed_.empty() || !this->IsSwallowed_[i])
     {
       outside.Add(this->Cancellation_.regions[i]);
     }

@@ -2,19 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Umbilics/UmbilicPatch.h"
 
+#include "Mesh/PositionOrder.h"
+
 #include <algorithm>
 #include <cmath>
 #include <unordered_map>
 
 namespace ridges
 {
-
-UmbilicPatch::UmbilicPatch(const TriangleMesh& mesh)
-  : Mesh_(mesh)
-  , TriangleStamps_(mesh.NumberOfTriangles(), 0)
-  , PointStamps_(mesh.NumberOfPoints(), 0)
-{
-}
 
 Span<Id> UmbilicPatch::Grow(Id triangle, double size)
 {
@@ -23,34 +18,48 @@ Span<Id> UmbilicPatch::Grow(Id triangle, double size)
 
 Span<Id> UmbilicPatch::GrowTo(Id triangle, double threshold)
 {
-  if (++this->Stamp_ == 0)
+  this->Start(triangle);
+  while (this->GrowByOne(threshold))
   {
-    std::fill(this->TriangleStamps_.begin(), this->TriangleStamps_.end(), 0);
-    std::fill(this->PointStamps_.begin(), this->PointStamps_.end(), 0);
-    this->Stamp_ = 1;
   }
+  return this->Triangles();
+}
+
+void UmbilicPatch::Start(Id triangle)
+{
+  this->IsInside_.Clear();
+  this->IsCorner_.Clear();
   this->Patch_.clear();
   this->Queue_.clear();
-  this->Thresholds_.clear();
+  this->Reached_ = 0.0;
   this->Center_ = this->Mesh_.Centroid(triangle);
-
-  double reached = 0.0;
-  this->Thresholds_.push_back(reached);
   this->Add(triangle);
+}
+
+bool UmbilicPatch::GrowByOne(double threshold)
+{
   while (!this->Queue_.empty() && this->Queue_.front().grade <= threshold)
   {
-    const Id nearest = this->Queue_.front().triangle;
-    reached = std::max(reached, this->Queue_.front().grade);
-    std::pop_heap(this->Queue_.begin(), this->Queue_.end());
+    const Candidate nearest = this->Queue_.front();
+    std::pop_heap(this->Queue_.begin(), this->Queue_.end(),
+      [this](const Candidate& a, const Candidate& b) { return this->IsFarther(a, b); });
     this->Queue_.pop_back();
+    this->Reached_ = std::max(this->Reached_, nearest.grade);
     // A triangle refused now comes back when another of its neighbours has joined.
-    if (!this->Contains(nearest) && this->StaysDisk(nearest))
+    if (!this->Contains(nearest.triangle) && this->StaysDisk(nearest.triangle))
     {
-      this->Thresholds_.push_back(reached);
-      this->Add(nearest);
+      this->Add(nearest.triangle);
+      return true;
     }
   }
-  return { this->Patch_.data(), this->Patch_.data() + this->Patch_.size() };
+  return false;
+}
+
+bool UmbilicPatch::IsFarther(const Candidate& a, const Candidate& b) const
+{
+  return a.grade != b.grade
+    ? a.grade > b.grade
+    : a.triangle != b.triangle && ComesBefore(this->Mesh_, b.triangle, a.triangle);
 }
 
 double UmbilicPatch::OneRingGrade(Id triangle) const
@@ -76,7 +85,7 @@ bool UmbilicPatch::StaysDisk(Id triangle) const
   int newPoints = 0;
   for (int side = 0; side < 3; ++side)
   {
-    newPoints += this->PointStamps_[corners[side]] != this->Stamp_ ? 1 : 0;
+    newPoints += this->IsCorner_.Contains(corners[side]) ? 0 : 1;
     const Id neighbor = this->Mesh_.Neighbor(triangle, side);
     if (neighbor >= 0 && this->Contains(neighbor))
     {
@@ -93,10 +102,11 @@ bool UmbilicPatch::StaysDisk(Id triangle) const
 
 void UmbilicPatch::Add(Id triangle)
 {
-  this->TriangleStamps_[triangle] = this->Stamp_;
+  this->Threshold_ = this->Reached_;
+  this->IsInside_[triangle] = true;
   for (const Id corner : this->Mesh_.Corners(triangle))
   {
-    this->PointStamps_[corner] = this->Stamp_;
+    this->IsCorner_[corner] = true;
   }
   this->Patch_.push_back(triangle);
   for (int side = 0; side < 3; ++side)
@@ -105,7 +115,8 @@ void UmbilicPatch::Add(Id triangle)
     if (neighbor >= 0 && !this->Contains(neighbor))
     {
       this->Queue_.push_back({ (this->Mesh_.Centroid(neighbor) - this->Center_).norm(), neighbor });
-      std::push_heap(this->Queue_.begin(), this->Queue_.end());
+      std::push_heap(this->Queue_.begin(), this->Queue_.end(),
+        [this](const Candidate& a, const Candidate& b) { return this->IsFarther(a, b); });
     }
   }
 }
@@ -126,9 +137,11 @@ std::vector<Id> UmbilicPatch::Contour() const
     }
   }
   std::vector<Id> contour;
-  if (!this->Patch_.empty())
+  if (!next.empty())
   {
-    const Id start = next.begin()->first;
+    const auto comesFirst = [this](const auto& a, const auto& b)
+    { return ComesBefore(this->Mesh_.Point(a.first), this->Mesh_.Point(b.first)); };
+    const Id start = std::min_element(next.begin(), next.end(), comesFirst)->first;
     Id p = start;
     do
     {

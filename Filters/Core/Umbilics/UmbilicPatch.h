@@ -3,7 +3,7 @@
 #ifndef ridges_UmbilicPatch_h
 #define ridges_UmbilicPatch_h
 
-#include "Mesh/TriangleMesh.h"
+#include "Mesh/IdTable.h"
 
 namespace ridges
 {
@@ -13,12 +13,15 @@ namespace ridges
  * the triangle next to the patch whose centroid is nearest to the first one's is added, if the
  * patch remains a disk with it, until the nearest is farther than a threshold.
  *
- * Holds scratch memory: use one per thread.
+ * Holds scratch memory of the size of a patch: use one per thread.
  */
 class UmbilicPatch
 {
 public:
-  explicit UmbilicPatch(const TriangleMesh& mesh);
+  explicit UmbilicPatch(const TriangleMesh& mesh)
+    : Mesh_(mesh)
+  {
+  }
 
   /**
    * The patch around a triangle, itself first, in the order of growth. The threshold is `size`
@@ -33,13 +36,25 @@ public:
   /// The greatest distance of a centroid in the one-ring, the unit of size.
   double OneRingGrade(Id triangle) const;
 
-  /// For each triangle of the last patch the least threshold with which it is in the patch: a
-  /// growing sequence, so that every beginning of the patch is a patch.
-  const std::vector<double>& Thresholds() const { return this->Thresholds_; }
+  /// To grow a patch triangle by triangle: it has this one only.
+  void Start(Id triangle);
+  /// Adds the next triangle, if there is one within the threshold.
+  bool GrowByOne(double threshold);
 
-  bool Contains(Id triangle) const { return this->TriangleStamps_[triangle] == this->Stamp_; }
+  /// The patch as it is, in the order of growth.
+  Span<Id> Triangles() const
+  {
+    return { this->Patch_.data(), this->Patch_.data() + this->Patch_.size() };
+  }
 
-  /// The corners along the border of the last patch, in its orientation, each once.
+  /// The least threshold with which the last triangle is in the patch. It grows with the patch, so
+  /// that every beginning of a patch is a patch.
+  double Threshold() const { return this->Threshold_; }
+
+  bool Contains(Id triangle) const { return this->IsInside_.Contains(triangle); }
+
+  /// The corners along the border of the last patch, in its orientation, each once, from that which
+  /// comes first by position.
   std::vector<Id> Contour() const;
 
 private:
@@ -47,24 +62,20 @@ private:
   {
     double grade;
     Id triangle;
-    bool operator<(const Candidate& other) const
-    {
-      return this->grade != other.grade ? this->grade > other.grade
-                                        : this->triangle > other.triangle;
-    }
   };
 
+  bool IsFarther(const Candidate& a, const Candidate& b) const;
   bool StaysDisk(Id triangle) const;
   void Add(Id triangle);
 
   const TriangleMesh& Mesh_;
-  std::vector<std::uint32_t> TriangleStamps_;
-  std::vector<std::uint32_t> PointStamps_;
-  std::uint32_t Stamp_ = 0;
+  IdTable<bool> IsInside_; ///< Of triangles.
+  IdTable<bool> IsCorner_; ///< Of points.
   std::vector<Id> Patch_;
-  std::vector<double> Thresholds_;
+  double Threshold_ = 0.0;
+  double Reached_ = 0.0;         ///< The greatest distance of a triangle looked at.
   std::vector<Candidate> Queue_; ///< A heap, the nearest first.
-  Eigen::Vector3d Center_;
+  Eigen::Vector3d Center_ = Eigen::Vector3d::Zero();
 };
 
 } // namespace ridges
