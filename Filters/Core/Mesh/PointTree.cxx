@@ -48,8 +48,7 @@ void PointTree::Build(std::size_t begin, std::size_t end)
   box.sizes().maxCoeff(&axis);
   const std::size_t middle = begin + (end - begin) / 2;
   std::nth_element(first, this->Numbers_.begin() + static_cast<std::ptrdiff_t>(middle), last,
-    [&](std::size_t a, std::size_t b)
-    { return this->Points_[a][axis] < this->Points_[b][axis]; });
+    [&](std::size_t a, std::size_t b) { return this->Points_[a][axis] < this->Points_[b][axis]; });
   this->Axes_[middle] = static_cast<std::uint8_t>(axis);
   this->Build(begin, middle);
   this->Build(middle + 1, end);
@@ -78,12 +77,12 @@ void PointTree::FindNearestOther(std::size_t begin, std::size_t end,
   }
   // The side of the point first: what is found there may save the other one.
   const bool isBefore = offset < 0.0;
-  this->FindNearestOther(isBefore ? begin : middle + 1, isBefore ? middle : end, position, point,
-    leastSquare);
+  this->FindNearestOther(
+    isBefore ? begin : middle + 1, isBefore ? middle : end, position, point, leastSquare);
   if (offset * offset < leastSquare)
   {
-    this->FindNearestOther(isBefore ? middle + 1 : begin, isBefore ? end : middle, position, point,
-      leastSquare);
+    this->FindNearestOther(
+      isBefore ? middle + 1 : begin, isBefore ? end : middle, position, point, leastSquare);
   }
 }
 

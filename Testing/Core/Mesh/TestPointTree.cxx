@@ -98,10 +98,11 @@ TEST(PointTree, StopsWhenTheVisitorSaysSo)
 
 TEST(PointTree, OfNoPointsIsEmpty)
 {
-  PointTree(std::vector<Vector3d>()).VisitNear(Vector3d::Zero(), 1.0,
-    [](const Vector3d&)
-    {
-      ADD_FAILURE();
-      return true;
-    });
+  PointTree(std::vector<Vector3d>())
+    .VisitNear(Vector3d::Zero(), 1.0,
+      [](const Vector3d&)
+      {
+        ADD_FAILURE();
+        return true;
+      });
 }
