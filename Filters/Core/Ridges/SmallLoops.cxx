@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace ridges
 {
@@ -33,34 +34,104 @@ bool SmallLoops::IsInsignificant(Id point) const
     std::abs(this->Crossings_.Field().Extremality(color, point)) <= this->Significance_ * error;
 }
 
-// Whether all points that can be reached from one without crossing the fence are insignificant,
-// few, and not that outside.
-bool SmallLoops::IsInsignificantBehind(Id start, Id outside, const std::vector<Id>& fence) const
+SmallLoops::Part SmallLoops::FindPart(Id start, const Fence& fence) const
 {
   const TriangleMesh& mesh = this->Crossings_.Mesh();
-  std::vector<Id> points{ start };
-  for (std::size_t i = 0; i < points.size(); ++i)
+  Part part;
+  part.points.push_back(start);
+  for (std::size_t i = 0; i < part.points.size(); ++i)
   {
-    if (points[i] == outside || points.size() > MostPoints || !this->IsInsignificant(points[i]))
+    const Id point = part.points[i];
+    if (part.points.size() > MostPoints || !this->IsInsignificant(point))
     {
-      return false;
+      part.isSmall = false;
+      return part;
     }
-    for (const Id t : mesh.TrianglesAround(points[i]))
+    for (const Id t : mesh.TrianglesAround(point))
     {
       for (int side = 0; side < 3; ++side)
       {
         const Id e = mesh.EdgeOf(t, side);
         const Edge& edge = mesh.EdgeAt(e);
-        const Id other = edge.v0 == points[i] ? edge.v1 : (edge.v1 == points[i] ? edge.v0 : -1);
-        if (other >= 0 && !IsIn(points, other) &&
+        const Id other = edge.v0 == point ? edge.v1 : (edge.v1 == point ? edge.v0 : -1);
+        if (other >= 0 && !IsIn(part.points, other) &&
           !std::binary_search(fence.begin(), fence.end(), e))
         {
-          points.push_back(other);
+          part.points.push_back(other);
         }
       }
     }
   }
-  return true;
+  return part;
+}
+
+// Whether each edge of the fence has one end in the part.
+bool SmallLoops::Separates(const Part& part, const Fence& fence) const
+{
+  const TriangleMesh& mesh = this->Crossings_.Mesh();
+  return std::all_of(fence.begin(), fence.end(),
+    [&mesh, &part](Id e)
+    {
+      const Edge& edge = mesh.EdgeAt(e);
+      return IsIn(part.points, edge.v0) != IsIn(part.points, edge.v1);
+    });
+}
+
+// Colours the parts at the two ends of each edge of the fence differently, and looks whether all
+// those of one colour are small. Parts that are not small are one: which of them are connected far
+// away makes no difference, as they have to be on the same side in any case.
+bool SmallLoops::HasSmallSide(const Fence& fence) const
+{
+  constexpr std::size_t large = 0;
+  std::vector<Part> parts(1);
+  const auto partOf = [this, &parts, &fence](Id point)
+  {
+    for (std::size_t i = 1; i < parts.size(); ++i)
+    {
+      if (IsIn(parts[i].points, point))
+      {
+        return parts[i].isSmall ? i : large;
+      }
+    }
+    parts.push_back(this->FindPart(point, fence));
+    return parts.back().isSmall ? parts.size() - 1 : large;
+  };
+  std::vector<std::pair<std::size_t, std::size_t>> borders;
+  for (const Id e : fence)
+  {
+    const Edge& edge = this->Crossings_.Mesh().EdgeAt(e);
+    const std::size_t first = partOf(edge.v0);
+    borders.emplace_back(first, partOf(edge.v1));
+  }
+  // Large parts are outside. Whatever they do not reach has two sides that are small both.
+  std::vector<int> sides(parts.size(), 0);
+  const auto color = [&sides, &borders](std::size_t start)
+  {
+    sides[start] = -1;
+    for (bool changed = true; changed;)
+    {
+      changed = false;
+      for (const auto& [a, b] : borders)
+      {
+        if (sides[a] != 0 && sides[a] == sides[b])
+        {
+          return false;
+        }
+        if ((sides[a] == 0) != (sides[b] == 0))
+        {
+          (sides[a] == 0 ? sides[a] : sides[b]) = -(sides[a] + sides[b]);
+          changed = true;
+        }
+      }
+    }
+    return true;
+  };
+  bool consistent = color(large);
+  for (const auto& border : borders)
+  {
+    consistent = consistent && (sides[border.first] != 0 || color(border.first));
+  }
+  return consistent;
 }
 
 bool SmallLoops::Contain(const Ridge& ridge, const std::vector<RidgeSegment>& segments,
@@ -81,7 +152,7 @@ bool SmallLoops::Contain(const Ridge& ridge, const std::vector<RidgeSegment>& se
   }
   // An edge crossed twice has both ends on the same side.
   std::sort(crossed.begin(), crossed.end());
-  std::vector<Id> fence;
+  Fence fence;
   for (const Id edge : crossed)
   {
     if (!fence.empty() && fence.back() == edge)
@@ -97,9 +168,19 @@ bool SmallLoops::Contain(const Ridge& ridge, const std::vector<RidgeSegment>& se
   {
     return true;
   }
+  // Mostly the loop runs around one part.
   const Edge& edge = this->Crossings_.Mesh().EdgeAt(fence.front());
-  return this->IsInsignificantBehind(edge.v0, edge.v1, fence) ||
-    this->IsInsignificantBehind(edge.v1, edge.v0, fence);
+  const Part first = this->FindPart(edge.v0, fence);
+  if (first.isSmall && this->Separates(first, fence))
+  {
+    return true;
+  }
+  const Part second = this->FindPart(edge.v1, fence);
+  if (second.isSmall && this->Separates(second, fence))
+  {
+    return true;
+  }
+  return (first.isSmall || second.isSmall) && this->HasSmallSide(fence);
 }
 
 } // namespace ridges

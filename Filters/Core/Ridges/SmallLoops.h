@@ -6,12 +6,19 @@
 #include "Fit/FitErrors.h"
 #include "Ridges/RidgeAssembly.h"
 
+#include <vector>
+
 namespace ridges
 {
 
 /**
  * Finds ridges that noise in b alone may have made: loops around a few points at which b0 (b3) is
  * not significantly different from 0. Had it the other sign there the loop would not exist.
+ *
+ * The edges that a loop crosses an odd number of times divide the points around it into parts, and
+ * the loop runs between parts on its one side and parts on its other. It is small if on one of its
+ * two sides all parts have few points, and b is insignificant at all of them. Where a loop passes
+ * through patches it may cross edges twice, so that there are several parts on each side.
  */
 class SmallLoops
 {
@@ -27,8 +34,19 @@ public:
     const std::vector<RidgePath>& paths) const;
 
 private:
+  /// Points that can be reached from each other without crossing the fence: `isSmall` if they are
+  /// few, and b is insignificant at all of them. Otherwise not all of them may have been found.
+  struct Part
+  {
+    std::vector<Id> points;
+    bool isSmall = true;
+  };
+  using Fence = std::vector<Id>; ///< Edges, sorted.
+
   bool IsInsignificant(Id point) const;
-  bool IsInsignificantBehind(Id start, Id outside, const std::vector<Id>& fence) const;
+  Part FindPart(Id start, const Fence& fence) const;
+  bool Separates(const Part& part, const Fence& fence) const;
+  bool HasSmallSide(const Fence& fence) const;
 
   const RidgeCrossings& Crossings_;
   FitErrorSource Errors_;
