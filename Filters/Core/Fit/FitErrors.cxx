@@ -14,6 +14,14 @@ namespace
 constexpr double Factor = 140.0;
 constexpr double LeastFreedom = 9.0;
 
+/// The same to the last digit whatever the order of the three.
+double SumBySize(double a, double b, double c)
+{
+  const double lower = std::min(a, b);
+  const double upper = std::max(a, b);
+  return std::min(lower, c) + std::max(lower, std::min(upper, c)) + std::max(upper, c);
+}
+
 /// About how many points a fit at this point was to, from the area that its scale covers.
 double EstimatePoints(const TriangleMesh& mesh, double scale, Id point)
 {
@@ -43,15 +51,40 @@ double FromResiduals(const TriangleMesh& mesh, const FitErrorSource& source, Id 
   {
     return 0.0;
   }
-  const auto unit = [&source](Id p) { return std::pow(source.fitScale[p], -Order); };
+  static_assert(Order == 1 || Order == 2, "in units of 1 / length or 1 / length^2");
+  const auto unit = [&source](Id p)
+  {
+    const double inverse = 1.0 / source.fitScale[p];
+    return Order == 1 ? inverse : inverse * inverse;
+  };
+  const auto square = [&source, &unit](Id p)
+  {
+    const double ratio = source.fitScale[p] > 0.0 ? source.fitResidual[p] * unit(p) : 0.0;
+    return ratio * ratio;
+  };
+  double largest = 0.0;
+  for (const Id t : mesh.TrianglesAround(point))
+  {
+    for (const Id p : mesh.Corners(t))
+    {
+      largest = std::max(largest, square(p));
+    }
+  }
+  // Each is rounded to one grain, far below what matters: these sums are exact in any order, so
+  // that the numbering does not show even in the last digit.
+  constexpr double grainsInLargest = 1 << 20;
+  const double grain = largest * grainsInLargest;
+  if (!std::isfinite(grain))
+  {
+    return grain;
+  }
   double sum = 0.0;
   int count = 0;
   for (const Id t : mesh.TrianglesAround(point))
   {
     for (const Id p : mesh.Corners(t))
     {
-      const double ratio = source.fitScale[p] > 0.0 ? source.fitResidual[p] * unit(p) : 0.0;
-      sum += ratio * ratio;
+      sum += (square(p) + grain) - grain;
       ++count;
     }
   }
@@ -122,13 +155,10 @@ bool MayBeWeak(const MongeField& field, const FitErrorSource& source, double sig
 bool IsWeak(const TriangleMesh& mesh, const MongeField& field, const double* gapErrors,
   double significance, Id triangle)
 {
-  double gap = 0.0;
-  double error = 0.0;
-  for (const Id p : mesh.Corners(triangle))
-  {
-    gap += field.k1[p] - field.k2[p];
-    error += gapErrors[p];
-  }
+  const Triangle& c = mesh.Corners(triangle);
+  const double gap = SumBySize(field.k1[c[0]] - field.k2[c[0]], field.k1[c[1]] - field.k2[c[1]],
+    field.k1[c[2]] - field.k2[c[2]]);
+  const double error = SumBySize(gapErrors[c[0]], gapErrors[c[1]], gapErrors[c[2]]);
   return error > 0.0 && gap <= significance * error;
 }
 

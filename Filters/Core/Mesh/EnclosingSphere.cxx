@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Mesh/EnclosingSphere.h"
 
+#include "Mesh/PositionOrder.h"
+
 #include <Eigen/Geometry>
 #include <Eigen/QR>
 
@@ -77,21 +79,35 @@ Sphere SmallestSphereOfFew(Support& support)
 
 // The farthest point outside the current sphere joins the few that determine it. The radius grows
 // in every step and each sphere belongs to one of finitely many sets of points, so the loop ends;
-// in practice after about ten steps, each linear in the number of points.
+// in practice after about ten steps, each linear in the number of points. What comes first by
+// position starts and decides between equals: not even round-off depends on the numbering.
 Sphere SmallestEnclosingSphere(const Eigen::Ref<const Eigen::Matrix3Xd>& points)
 {
   if (points.cols() == 0)
   {
     return {};
   }
+  Eigen::Index first = 0;
+  for (Eigen::Index i = 1; i < points.cols(); ++i)
+  {
+    first = ComesBefore(points.col(i), points.col(first)) ? i : first;
+  }
   Support support;
-  support.Add(points.col(0));
-  Sphere sphere{ points.col(0), 0.0 };
+  support.Add(points.col(first));
+  Sphere sphere{ points.col(first), 0.0 };
   for (;;)
   {
     Eigen::Index farthest = 0;
-    const double squared =
-      (points.colwise() - sphere.center).colwise().squaredNorm().maxCoeff(&farthest);
+    double squared = -1.0;
+    for (Eigen::Index i = 0; i < points.cols(); ++i)
+    {
+      const double other = (points.col(i) - sphere.center).squaredNorm();
+      if (other > squared || (other == squared && ComesBefore(points.col(i), points.col(farthest))))
+      {
+        squared = other;
+        farthest = i;
+      }
+    }
     if (!(std::sqrt(squared) > sphere.radius * (1.0 + 1e-12)))
     {
       return sphere;
@@ -134,7 +150,9 @@ Sphere SmallestEnclosingSphere(const TriangleMesh& mesh)
     for (Id p = 0; p < mesh.NumberOfPoints(); ++p)
     {
       const double other = (mesh.Point(p) - center).squaredNorm();
-      if (other > squared && isUsed(p))
+      const bool isFarther =
+        other > squared || (other == squared && ComesBefore(mesh.Point(p), farthest));
+      if (isFarther && isUsed(p))
       {
         squared = other;
         farthest = mesh.Point(p);

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Mesh/PositionOrder.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <utility>
 
@@ -16,6 +18,15 @@ bool ComesBefore(const Eigen::Vector3d& a, const Eigen::Vector3d& b)
 bool ComesBefore(const TriangleMesh& mesh, Id a, Id b)
 {
   return ComesBefore(mesh.Centroid(a), mesh.Centroid(b));
+}
+
+Eigen::Vector3d AreaNormalInOrder(const TriangleMesh& mesh, Id triangle)
+{
+  Triangle c = mesh.Corners(triangle);
+  const auto precedes = [&mesh](Id p, Id q) { return ComesBefore(mesh.Point(p), mesh.Point(q)); };
+  std::rotate(c.begin(), std::min_element(c.begin(), c.end(), precedes), c.end());
+  const Eigen::Vector3d along = mesh.Point(c[1]) - mesh.Point(c[0]);
+  return along.cross(mesh.Point(c[2]) - mesh.Point(c[0]));
 }
 
 OrderedEdge::OrderedEdge(const TriangleMesh& mesh, Id edge)

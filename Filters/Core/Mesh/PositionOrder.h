@@ -14,6 +14,10 @@ bool ComesBefore(const Eigen::Vector3d& a, const Eigen::Vector3d& b);
 /// The same of two triangles, by their centroids.
 bool ComesBefore(const TriangleMesh& mesh, Id a, Id b);
 
+/// The normal of a triangle, as long as twice its area: the same to the last digit whatever corner
+/// the triangle starts at.
+Eigen::Vector3d AreaNormalInOrder(const TriangleMesh& mesh, Id triangle);
+
 /// The ends of an edge, that first which comes first by position: what is computed from one end to
 /// the other does not depend on the numbering then.
 struct OrderedEdge

@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Ridges/RidgeTrace.h"
 
+#include "Mesh/PositionOrder.h"
 #include "Monge/AcuteRule.h"
 #include "Umbilics/UmbilicForm.h"
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <utility>
 
 namespace ridges
@@ -28,8 +30,12 @@ int Compare(const RidgeVertex& a, const RidgeVertex& b)
   return 0;
 }
 
-RidgeVertex TurningPointBetween(const RidgePoint& a, const RidgePoint& b)
+/// From that of the two which comes first by position: not even round-off depends on the direction.
+RidgeVertex TurningPointBetween(const RidgePoint& before, const RidgePoint& after)
 {
+  const bool swaps = ComesBefore(after.position, before.position);
+  const RidgePoint& a = swaps ? after : before;
+  const RidgePoint& b = swaps ? before : after;
   const double t = CrossingParameter(a.P, b.P);
   const auto between = [t](double atA, double atB) { return (1.0 - t) * atA + t * atB; };
   RidgeVertex vertex;
@@ -203,6 +209,127 @@ void Rotate(RidgeTrace& trace, std::size_t start)
   trace.vertices.push_back(trace.vertices.front());
 }
 
+/// The runs of one type in a ridge: a list, from which the shortest ones are taken out.
+class ShortRuns
+{
+public:
+  explicit ShortRuns(RidgeTrace& trace);
+
+  /// Gives runs shorter than this the type of the one before, the shortest first.
+  void Absorb(double length);
+
+private:
+  struct Run
+  {
+    std::size_t first; ///< Piece of the ridge.
+    std::size_t count; ///< Pieces from there on, over the end of a loop to its start.
+    double length;
+    std::size_t previous;
+    std::size_t next;
+    bool isLeft = true;
+  };
+  using Entry = std::pair<double, std::size_t>; ///< Length and run.
+
+  bool HasTwoNeighbors(std::size_t run) const
+  {
+    return this->Trace_.closed ? this->Runs_[run].next != run
+                               : run > 0 && this->Runs_[run].next < this->Runs_.size();
+  }
+  void Push(std::size_t run, double length);
+  void Unite(std::size_t run, std::size_t with);
+
+  RidgeTrace& Trace_;
+  std::vector<Run> Runs_;
+  std::vector<Entry> Queue_; ///< A heap, the shortest first.
+};
+
+ShortRuns::ShortRuns(RidgeTrace& trace)
+  : Trace_(trace)
+{
+  // So that no run of a loop is cut at its start.
+  for (std::size_t i = 1; trace.closed && i < trace.types.size(); ++i)
+  {
+    if (trace.types[i] != trace.types[i - 1])
+    {
+      Rotate(trace, i);
+      break;
+    }
+  }
+  for (std::size_t i = 0; i < trace.types.size(); ++i)
+  {
+    if (i == 0 || trace.types[i] != trace.types[i - 1])
+    {
+      const std::size_t run = this->Runs_.size();
+      this->Runs_.push_back({ i, 0, 0.0, run - 1, run + 1 });
+    }
+    Run& run = this->Runs_.back();
+    ++run.count;
+    run.length += (trace.vertices[i + 1].point.position - trace.vertices[i].point.position).norm();
+  }
+  if (trace.closed && !this->Runs_.empty())
+  {
+    this->Runs_.front().previous = this->Runs_.size() - 1;
+    this->Runs_.back().next = 0;
+  }
+}
+
+void ShortRuns::Push(std::size_t run, double length)
+{
+  if (this->Runs_[run].length < length)
+  {
+    this->Queue_.emplace_back(this->Runs_[run].length, run);
+    std::push_heap(this->Queue_.begin(), this->Queue_.end(), std::greater<Entry>());
+  }
+}
+
+/// Adds to a run the one that follows it.
+void ShortRuns::Unite(std::size_t run, std::size_t with)
+{
+  Run& other = this->Runs_[with];
+  this->Runs_[run].count += other.count;
+  this->Runs_[run].length += other.length;
+  this->Runs_[run].next = other.next;
+  other.isLeft = false;
+  if (other.next < this->Runs_.size())
+  {
+    this->Runs_[other.next].previous = run;
+  }
+}
+
+// A piece changes its type but rarely: each time its run becomes three times as long at least.
+void ShortRuns::Absorb(double length)
+{
+  for (std::size_t run = 0; run < this->Runs_.size(); ++run)
+  {
+    this->Push(run, length);
+  }
+  while (!this->Queue_.empty())
+  {
+    std::pop_heap(this->Queue_.begin(), this->Queue_.end(), std::greater<Entry>());
+    const auto [shortest, run] = this->Queue_.back();
+    this->Queue_.pop_back();
+    const Run& absorbed = this->Runs_[run];
+    if (!absorbed.isLeft || absorbed.length != shortest || !this->HasTwoNeighbors(run))
+    {
+      continue;
+    }
+    std::vector<RidgeType>& types = this->Trace_.types;
+    const std::size_t before = absorbed.previous;
+    const std::size_t after = absorbed.next;
+    const RidgeType type = types[this->Runs_[before].first];
+    for (std::size_t i = 0; i < absorbed.count; ++i)
+    {
+      types[(absorbed.first + i) % types.size()] = type;
+    }
+    this->Unite(before, run);
+    if (after != before && types[this->Runs_[after].first] == type)
+    {
+      this->Unite(before, after);
+    }
+    this->Push(before, length);
+  }
+}
+
 // A turning point that does not turn any more lies on the straight piece that it was put on.
 void RemoveFormerTurningPoints(RidgeTrace& trace)
 {
@@ -247,51 +374,7 @@ RidgeTrace TraceRidge(const Ridge& ridge, const std::vector<RidgeSegment>& segme
 
 void AbsorbShortRuns(RidgeTrace& trace, double length)
 {
-  struct Run
-  {
-    std::size_t first;
-    std::size_t last;
-    double length;
-  };
-  for (;;)
-  {
-    // So that no run of a loop is cut at its start.
-    for (std::size_t i = 1; trace.closed && i < trace.types.size(); ++i)
-    {
-      if (trace.types[i] != trace.types[i - 1])
-      {
-        Rotate(trace, i);
-        break;
-      }
-    }
-    std::vector<Run> runs;
-    for (std::size_t i = 0; i < trace.types.size(); ++i)
-    {
-      if (i == 0 || trace.types[i] != trace.types[i - 1])
-      {
-        runs.push_back({ i, i, 0.0 });
-      }
-      runs.back().last = i + 1;
-      runs.back().length +=
-        (trace.vertices[i + 1].point.position - trace.vertices[i].point.position).norm();
-    }
-    const std::size_t skip = trace.closed ? 0 : 1;
-    if (runs.size() < (trace.closed ? 2U : 3U))
-    {
-      break;
-    }
-    const auto shortest = std::min_element(runs.begin() + static_cast<std::ptrdiff_t>(skip),
-      runs.end() - static_cast<std::ptrdiff_t>(skip),
-      [](const Run& a, const Run& b) { return a.length < b.length; });
-    if (!(shortest->length < length))
-    {
-      break;
-    }
-    const RidgeType type =
-      trace.types[shortest == runs.begin() ? runs.back().first : shortest->first - 1];
-    std::fill(trace.types.begin() + static_cast<std::ptrdiff_t>(shortest->first),
-      trace.types.begin() + static_cast<std::ptrdiff_t>(shortest->last), type);
-  }
+  ShortRuns(trace).Absorb(length);
   RemoveFormerTurningPoints(trace);
 }
 

@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Umbilics/GapMinima.h"
 
+#include "Mesh/PositionOrder.h"
 #include "Monge/AcuteRule.h"
 
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -35,12 +37,15 @@ struct PlaneAxes
 
 double TriangleGap(const TriangleMesh& mesh, const MongeField& field, Id triangle)
 {
-  double sum = 0.0;
-  for (const Id p : mesh.Corners(triangle))
+  std::array<double, 3> gaps{};
+  for (int i = 0; i < 3; ++i)
   {
-    sum += field.k1[p] - field.k2[p];
+    const Id p = mesh.Corners(triangle)[i];
+    gaps[i] = field.k1[p] - field.k2[p];
   }
-  return sum / 3.0;
+  // By size: the corner that a triangle starts at does not show even in round-off.
+  std::sort(gaps.begin(), gaps.end());
+  return (gaps[0] + gaps[1] + gaps[2]) / 3.0;
 }
 
 bool MinimizesGapInOneRing(const TriangleMesh& mesh, const MongeField& field, Id triangle)
@@ -118,7 +123,7 @@ std::vector<Umbilic> GapMinima::Select(std::vector<Id> candidates)
     {
       const double gapS = TriangleGap(this->Mesh_, this->Field_, s);
       const double gapT = TriangleGap(this->Mesh_, this->Field_, t);
-      return gapS != gapT ? gapS < gapT : s < t;
+      return gapS != gapT ? gapS < gapT : ComesBefore(this->Mesh_, s, t);
     });
 
   std::vector<Umbilic> umbilics;
@@ -131,7 +136,7 @@ std::vector<Umbilic> GapMinima::Select(std::vector<Id> candidates)
       continue;
     }
     const double index =
-      ContourIndex(this->Field_, this->Patch_.Contour(), this->Mesh_.AreaNormal(t));
+      ContourIndex(this->Field_, this->Patch_.Contour(), AreaNormalInOrder(this->Mesh_, t));
     if (std::abs(index) != 0.5)
     {
       continue;

@@ -55,7 +55,7 @@ std::vector<std::vector<EdgeCrossing>> PatchPaths::ToPoint(const std::vector<std
 void PatchPaths::TakeCorners(Id target, const Eigen::Vector3d& position)
 {
   const Triangle& corners = this->Mesh_.Corners(target);
-  const Eigen::Vector3d normal = this->Mesh_.AreaNormal(target);
+  const Eigen::Vector3d normal = AreaNormalInOrder(this->Mesh_, target);
   const double square = normal.squaredNorm();
   for (int i = 0; i < 3; ++i)
   {
@@ -78,7 +78,7 @@ bool PatchPaths::Straight(std::size_t side, const Eigen::Vector3d& from, Id targ
   const Eigen::Vector3d& position, std::vector<EdgeCrossing>& path) const
 {
   // Which side of the line through both, seen along the normal of the target.
-  const Eigen::Vector3d normal = this->Mesh_.AreaNormal(target);
+  const Eigen::Vector3d normal = AreaNormalInOrder(this->Mesh_, target);
   const Eigen::Vector3d across = normal.cross(position - from);
   const auto offset = [&](Id p) { return across.dot(this->Mesh_.Point(p) - from); };
   // On the way it comes nearer all the time: on a fold it might come from the other side.

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Ridges/Patch/PatchRidges.h"
 
+#include "Mesh/PositionOrder.h"
 #include "Ridges/Patch/PatchPaths.h"
 
 #include <Eigen/Geometry>
@@ -107,7 +108,8 @@ PatchRidges::Joints PatchRidges::Join(const RidgePatch& patch, const PatchContou
     const Edge& first = mesh.EdgeAt(a.edge);
     const Edge& second = mesh.EdgeAt(b.edge);
     const Id corner = first.v0 == second.v0 || first.v0 == second.v1 ? first.v0 : first.v1;
-    const Eigen::Vector3d across = mesh.AreaNormal(patch.umbilic).cross(position(j) - position(i));
+    const Eigen::Vector3d across =
+      AreaNormalInOrder(mesh, patch.umbilic).cross(position(j) - position(i));
     return across.dot(mesh.Point(corner) - position(i)) * across.dot(patch.position - position(i)) >
       0.0;
   };
