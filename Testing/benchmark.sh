@@ -5,7 +5,8 @@
 #
 #   Testing/benchmark.sh [GOOGLE BENCHMARK OPTION]...
 #
-# For instance --benchmark_filter=40k runs those of that size only.
+# For instance --benchmark_filter=40k runs those of that size only, --benchmark_filter=noise1% those
+# with noise of 1 % of an edge.
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 

@@ -302,6 +302,19 @@ void RegisterFilters()
     add(
       ellipsoid.first, [=] { return EllipsoidMesh(frequency); }, frequency <= 63);
   }
+  // Noise, as scans have it: thousands of umbilics, and ridges everywhere.
+  for (const auto& ellipsoid : ellipsoids)
+  {
+    const std::string size = std::string(ellipsoid.first).substr(10);
+    const int frequency = ellipsoid.second;
+    for (const auto& [name, noise] : { std::pair<const char*, double>{ "noise0.1%", 0.001 },
+           { "noise1%", 0.01 }, { "noise5%", 0.05 } })
+    {
+      add(
+        name + (" " + size),
+        [frequency, noise = noise] { return NoisyEllipsoidMesh(frequency, noise); }, false);
+    }
+  }
   add(
     "bunny 38k", [] { return ReadOff(RIDGES_SCAN); }, true);
 }

@@ -5,10 +5,16 @@
 #include "vtkRidgeExampleSource.h"
 
 #include "vtkCellArray.h"
+#include "vtkIdList.h"
 #include "vtkNew.h"
 #include "vtkPoints.h"
 
+#include <Eigen/Geometry>
+
+#include <cmath>
 #include <fstream>
+#include <random>
+#include <vector>
 
 namespace benchmarks
 {
@@ -20,6 +26,60 @@ vtkSmartPointer<vtkPolyData> EllipsoidMesh(int frequency)
   source->SetFrequency(frequency);
   source->Update();
   return source->GetOutput();
+}
+
+namespace
+{
+
+Eigen::Vector3d PointOf(vtkPolyData* mesh, vtkIdType p)
+{
+  Eigen::Vector3d x;
+  mesh->GetPoint(p, x.data());
+  return x;
+}
+
+// A sum of area normals for each point, and the mean length of the edges.
+double SumNormals(vtkPolyData* mesh, std::vector<Eigen::Vector3d>& normals)
+{
+  normals.assign(mesh->GetNumberOfPoints(), Eigen::Vector3d::Zero());
+  double sum = 0.0;
+  vtkNew<vtkIdList> corners;
+  for (vtkIdType cell = 0; cell < mesh->GetNumberOfPolys(); ++cell)
+  {
+    mesh->GetPolys()->GetCellAtId(cell, corners);
+    const Eigen::Vector3d x = PointOf(mesh, corners->GetId(0));
+    const Eigen::Vector3d a = PointOf(mesh, corners->GetId(1)) - x;
+    const Eigen::Vector3d b = PointOf(mesh, corners->GetId(2)) - x;
+    sum += a.norm() + b.norm() + (b - a).norm();
+    for (const vtkIdType p : *corners)
+    {
+      normals[p] += a.cross(b);
+    }
+  }
+  return sum / (3.0 * static_cast<double>(mesh->GetNumberOfPolys()));
+}
+
+} // namespace
+
+vtkSmartPointer<vtkPolyData> NoisyEllipsoidMesh(int frequency, double noise)
+{
+  vtkSmartPointer<vtkPolyData> mesh = EllipsoidMesh(frequency);
+  std::vector<Eigen::Vector3d> normals;
+  const double deviation = noise * SumNormals(mesh, normals);
+  // Box and Muller's: the distributions of the standard library differ from one to the other.
+  std::mt19937_64 generator(1);
+  const auto uniform = [&generator]
+  { return (static_cast<double>(generator() >> 11) + 0.5) / 9007199254740992.0; };
+  constexpr double twoPi = 6.283185307179586;
+  for (vtkIdType p = 0; p < mesh->GetNumberOfPoints(); ++p)
+  {
+    const double radius = std::sqrt(-2.0 * std::log(uniform()));
+    const double shift = deviation * radius * std::cos(twoPi * uniform());
+    const Eigen::Vector3d x = PointOf(mesh, p) + shift * normals[p].normalized();
+    mesh->GetPoints()->SetPoint(p, x.data());
+  }
+  mesh->GetPoints()->Modified();
+  return mesh;
 }
 
 vtkSmartPointer<vtkPolyData> ReadOff(const std::string& path)
