@@ -14,6 +14,7 @@
 #include "vtkPolyData.h"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace
@@ -27,6 +28,64 @@ struct PlaceCrossings
   {
     this->crossings.Place(static_cast<ridges::Id>(begin), static_cast<ridges::Id>(end));
   }
+};
+
+/// Draws the ridges inside patches, some of them at a time: they share no triangle.
+class DrawShares
+{
+public:
+  DrawShares(const ridges::RidgeCrossings& crossings,
+    const std::vector<ridges::RidgePatch>& patches, std::vector<std::uint8_t>& isReplaced)
+    : Crossings(crossings)
+    , Patches(patches)
+    , IsReplaced(isReplaced)
+    , Shares(patches.size() / Size + (patches.size() % Size > 0 ? 1 : 0))
+  {
+  }
+
+  vtkIdType GetNumberOfShares() const { return static_cast<vtkIdType>(this->Shares.size()); }
+
+  void operator()(vtkIdType begin, vtkIdType end)
+  {
+    const ridges::PatchRidges patchRidges(this->Crossings);
+    for (auto share = static_cast<std::size_t>(begin); share < static_cast<std::size_t>(end);
+         ++share)
+    {
+      const std::size_t last = std::min(Size * (share + 1), this->Patches.size());
+      for (std::size_t i = Size * share; i < last; ++i)
+      {
+        patchRidges.Draw(this->Patches[i], this->Shares[share].segments, this->Shares[share].paths,
+          this->IsReplaced);
+      }
+    }
+  }
+
+  void AppendTo(std::vector<ridges::RidgeSegment>& segments, std::vector<ridges::RidgePath>& paths)
+  {
+    for (Share& share : this->Shares)
+    {
+      for (ridges::RidgeSegment segment : share.segments)
+      {
+        segment.path += static_cast<ridges::Id>(paths.size());
+        segments.push_back(segment);
+      }
+      std::move(share.paths.begin(), share.paths.end(), std::back_inserter(paths));
+    }
+  }
+
+private:
+  static constexpr std::size_t Size = 64;
+
+  struct Share
+  {
+    std::vector<ridges::RidgeSegment> segments; ///< Each has a path of the share.
+    std::vector<ridges::RidgePath> paths;
+  };
+
+  const ridges::RidgeCrossings& Crossings;
+  const std::vector<ridges::RidgePatch>& Patches;
+  std::vector<std::uint8_t>& IsReplaced;
+  std::vector<Share> Shares;
 };
 
 /// Traces ridges, each for itself.
@@ -48,11 +107,13 @@ struct TraceRidges
       ridges::RidgeTrace& trace = this->traces[i];
       trace = ridges::TraceRidge(
         this->ridges[i], this->segments, this->paths, this->crossings, this->rule, this->umbilics);
+      ridges::MakeCanonical(trace);
       if (this->shortestRun > 0.0)
       {
+        // The start of a loop may not be that of a run any more.
         ridges::AbsorbShortRuns(trace, this->shortestRun);
+        ridges::MakeCanonical(trace);
       }
-      ridges::MakeCanonical(trace);
     }
   }
 };
@@ -90,14 +151,27 @@ ridges::UmbilicLookup vtkRidgesSearch::MakeLookup() const
 bool vtkRidgesSearch::Find(vtkAlgorithm* filter, ridges::Color color, double from, double to,
   std::vector<ridges::RidgeTrace>& found) const
 {
-  const ridges::TriangleMesh& triangles = this->Mesh.GetTriangles();
-  const auto at = [from, to](double part) { return from + part * (to - from); };
   ridges::RidgeCrossings crossings(
-    triangles, this->Field, color, this->CrossingRule, this->ExtremalityRule);
-  const auto find = [&](ridges::Id begin, ridges::Id end, std::vector<ridges::Id>& edges)
+    this->Mesh.GetTriangles(), this->Field, color, this->CrossingRule, this->ExtremalityRule);
+  const auto at = [from, to](double part) { return from + part * (to - from); };
+  Pieces pieces;
+  std::vector<ridges::Ridge> whole;
+  return this->FindCrossings(filter, from, at(0.35), crossings) &&
+    this->DrawPatches(filter, at(0.35), at(0.45), crossings, pieces) &&
+    this->March(filter, at(0.45), at(0.55), crossings, pieces) &&
+    this->Assemble(filter, at(0.55), at(0.7), crossings, pieces, whole) &&
+    this->Trace(filter, at(0.7), to, crossings, pieces, whole, found);
+}
+
+bool vtkRidgesSearch::FindCrossings(
+  vtkAlgorithm* filter, double from, double to, ridges::RidgeCrossings& crossings) const
+{
+  const auto find = [&crossings](ridges::Id begin, ridges::Id end, std::vector<ridges::Id>& edges)
   { crossings.Find(begin, end, edges); };
-  vtkRidgesCollector<ridges::Id, decltype(find)> finder(triangles.NumberOfEdges(), find);
-  if (!vtkRidgesForBatches(filter, finder.GetNumberOfRanges(), from, at(0.2), finder, 64))
+  vtkRidgesCollector<ridges::Id, decltype(find)> finder(
+    this->Mesh.GetTriangles().NumberOfEdges(), find);
+  const double middle = 0.5 * (from + to);
+  if (!vtkRidgesForBatches(filter, finder.GetNumberOfRanges(), from, middle, finder, 64))
   {
     return false;
   }
@@ -105,56 +179,94 @@ bool vtkRidgesSearch::Find(vtkAlgorithm* filter, ridges::Color color, double fro
   finder.AppendTo(crossed);
   crossings.SetCrossed(std::move(crossed));
   PlaceCrossings place{ crossings };
-  if (!vtkRidgesForBatches(filter, crossings.Size(), at(0.2), at(0.4), place))
+  return vtkRidgesForBatches(filter, crossings.Size(), middle, to, place);
+}
+
+bool vtkRidgesSearch::DrawPatches(vtkAlgorithm* filter, double from, double to,
+  const ridges::RidgeCrossings& crossings, Pieces& pieces) const
+{
+  pieces.isReplaced.assign(this->Mesh.GetTriangles().NumberOfTriangles(), 0);
+  if (!this->UsePatches)
+  {
+    return true;
+  }
+  DrawShares draw(crossings, this->Umbilics.GetPatches(), pieces.isReplaced);
+  if (!vtkRidgesForBatches(filter, draw.GetNumberOfShares(), from, to, draw, 1024))
   {
     return false;
   }
+  draw.AppendTo(pieces.segments, pieces.paths);
+  return true;
+}
 
-  std::vector<ridges::RidgeSegment> segments;
-  std::vector<ridges::RidgePath> paths;
-  std::vector<std::uint8_t> isReplaced(triangles.NumberOfTriangles(), 0);
-  if (this->UsePatches)
-  {
-    const ridges::PatchRidges patchRidges(crossings);
-    for (const ridges::RidgePatch& patch : this->Umbilics.GetPatches())
-    {
-      patchRidges.Draw(patch, segments, paths, isReplaced);
-    }
-  }
-  const auto march = [&](
-                       ridges::Id begin, ridges::Id end, std::vector<ridges::RidgeSegment>& pieces)
+bool vtkRidgesSearch::March(vtkAlgorithm* filter, double from, double to,
+  const ridges::RidgeCrossings& crossings, Pieces& pieces) const
+{
+  const auto march = [this, &crossings, &pieces](ridges::Id begin, ridges::Id end,
+                       std::vector<ridges::RidgeSegment>& segments)
   {
     for (ridges::Id t = begin; t < end; ++t)
     {
-      if (!isReplaced[t])
+      if (!pieces.isReplaced[t])
       {
-        ridges::MarchTriangle(crossings, this->TypeRule, t, pieces);
+        ridges::MarchTriangle(crossings, this->TypeRule, t, segments);
       }
     }
   };
   vtkRidgesCollector<ridges::RidgeSegment, decltype(march)> marcher(
-    triangles.NumberOfTriangles(), march);
-  if (!vtkRidgesForBatches(filter, marcher.GetNumberOfRanges(), at(0.4), at(0.6), marcher, 64))
+    this->Mesh.GetTriangles().NumberOfTriangles(), march);
+  if (!vtkRidgesForBatches(filter, marcher.GetNumberOfRanges(), from, to, marcher, 64))
   {
     return false;
   }
-  marcher.AppendTo(segments);
+  marcher.AppendTo(pieces.segments);
+  return true;
+}
 
-  std::vector<ridges::Ridge> whole = ridges::AssembleRidges(crossings, segments);
-  if (this->LoopSignificance > 0.0)
+bool vtkRidgesSearch::Assemble(vtkAlgorithm* filter, double from, double to,
+  const ridges::RidgeCrossings& crossings, const Pieces& pieces,
+  std::vector<ridges::Ridge>& whole) const
+{
+  whole = ridges::AssembleRidges(crossings, pieces.segments);
+  if (!(this->LoopSignificance > 0.0))
   {
-    const ridges::SmallLoops smallLoops(
-      crossings, vtkRidgesFetchFitErrors(this->Mesh.GetPolyData()), this->LoopSignificance);
-    whole.erase(
-      std::remove_if(whole.begin(), whole.end(),
-        [&](const ridges::Ridge& ridge) { return smallLoops.Contain(ridge, segments, paths); }),
-      whole.end());
+    return true;
   }
+  const ridges::SmallLoops smallLoops(
+    crossings, vtkRidgesFetchFitErrors(this->Mesh.GetPolyData()), this->LoopSignificance);
+  std::vector<std::uint8_t> isLeftOut(whole.size(), 0);
+  const auto look = [&smallLoops, &pieces, &whole, &isLeftOut](vtkIdType begin, vtkIdType end)
+  {
+    for (vtkIdType i = begin; i < end; ++i)
+    {
+      isLeftOut[i] = smallLoops.Contain(whole[i], pieces.segments, pieces.paths) ? 1 : 0;
+    }
+  };
+  if (!vtkRidgesForBatches(filter, static_cast<vtkIdType>(whole.size()), from, to, look))
+  {
+    return false;
+  }
+  std::vector<ridges::Ridge> kept;
+  for (std::size_t i = 0; i < whole.size(); ++i)
+  {
+    if (!isLeftOut[i])
+    {
+      kept.push_back(std::move(whole[i]));
+    }
+  }
+  whole = std::move(kept);
+  return true;
+}
+
+bool vtkRidgesSearch::Trace(vtkAlgorithm* filter, double from, double to,
+  const ridges::RidgeCrossings& crossings, const Pieces& pieces,
+  const std::vector<ridges::Ridge>& whole, std::vector<ridges::RidgeTrace>& found) const
+{
   const ridges::UmbilicLookup lookup = this->MakeLookup();
   found.resize(whole.size());
-  TraceRidges trace{ whole, segments, paths, crossings, this->TypeRule, lookup, this->ShortestRun,
-    found };
-  if (!vtkRidgesForBatches(filter, static_cast<vtkIdType>(whole.size()), at(0.7), to, trace))
+  TraceRidges trace{ whole, pieces.segments, pieces.paths, crossings, this->TypeRule, lookup,
+    this->ShortestRun, found };
+  if (!vtkRidgesForBatches(filter, static_cast<vtkIdType>(whole.size()), from, to, trace))
   {
     return false;
   }

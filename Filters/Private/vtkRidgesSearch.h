@@ -5,6 +5,7 @@
 
 #include "Core/Ridges/RidgeTrace.h"
 
+#include <cstdint>
 #include <vector>
 
 class vtkAlgorithm;
@@ -34,6 +35,28 @@ public:
     std::vector<ridges::RidgeTrace>& found) const;
 
 private:
+  /// Pieces of ridges, those inside patches first.
+  struct Pieces
+  {
+    std::vector<ridges::RidgeSegment> segments;
+    std::vector<ridges::RidgePath> paths;
+    std::vector<std::uint8_t> isReplaced; ///< Triangles in which marching does not hold.
+  };
+
+  // The steps of Find. Each reports progress from `from` to `to`; false if the user aborted.
+  bool FindCrossings(
+    vtkAlgorithm* filter, double from, double to, ridges::RidgeCrossings& crossings) const;
+  bool DrawPatches(vtkAlgorithm* filter, double from, double to,
+    const ridges::RidgeCrossings& crossings, Pieces& pieces) const;
+  bool March(vtkAlgorithm* filter, double from, double to, const ridges::RidgeCrossings& crossings,
+    Pieces& pieces) const;
+  bool Assemble(vtkAlgorithm* filter, double from, double to,
+    const ridges::RidgeCrossings& crossings, const Pieces& pieces,
+    std::vector<ridges::Ridge>& whole) const;
+  bool Trace(vtkAlgorithm* filter, double from, double to, const ridges::RidgeCrossings& crossings,
+    const Pieces& pieces, const std::vector<ridges::Ridge>& whole,
+    std::vector<ridges::RidgeTrace>& found) const;
+
   ridges::UmbilicLookup MakeLookup() const;
 
   const vtkRidgesMesh& Mesh;

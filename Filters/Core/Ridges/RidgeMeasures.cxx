@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <utility>
 
 namespace ridges
 {
@@ -39,12 +38,10 @@ double IntegrateSecondDerivative(
 
 } // namespace
 
-UmbilicCutOff::UmbilicCutOff(std::vector<Eigen::Vector3d> umbilics, double radius)
-  : Umbilics_(std::move(umbilics))
+UmbilicCutOff::UmbilicCutOff(const std::vector<Eigen::Vector3d>& umbilics, double radius)
+  : Umbilics_(umbilics)
   , Radius_(radius)
 {
-  std::sort(this->Umbilics_.begin(), this->Umbilics_.end(),
-    [](const Eigen::Vector3d& a, const Eigen::Vector3d& b) { return a[0] < b[0]; });
 }
 
 std::vector<UmbilicCutOff::Part> UmbilicCutOff::Outside(
@@ -53,14 +50,13 @@ std::vector<UmbilicCutOff::Part> UmbilicCutOff::Outside(
   std::vector<Part> inside;
   const Eigen::Vector3d along = b - a;
   const double squaredLength = along.squaredNorm();
-  const double lowest = std::min(a[0], b[0]) - this->Radius_;
-  const double highest = std::max(a[0], b[0]) + this->Radius_;
-  auto umbilic = std::lower_bound(this->Umbilics_.begin(), this->Umbilics_.end(), lowest,
-    [](const Eigen::Vector3d& center, double x) { return center[0] < x; });
-  for (; umbilic != this->Umbilics_.end() && (*umbilic)[0] <= highest; ++umbilic)
+  bool isInside = false;
+  // False once nothing of the segment is left: where umbilics are dense one covers it mostly.
+  const auto cutOff = [this, &a, &along, squaredLength, &inside, &isInside](
+                        const Eigen::Vector3d& umbilic)
   {
-    // |a + s along - center| = radius
-    const Eigen::Vector3d toA = a - *umbilic;
+    // |a + s along - umbilic| = radius
+    const Eigen::Vector3d toA = a - umbilic;
     const double half = toA.dot(along);
     const double rest = toA.squaredNorm() - this->Radius_ * this->Radius_;
     const double discriminant = half * half - squaredLength * rest;
@@ -72,8 +68,16 @@ std::vector<UmbilicCutOff::Part> UmbilicCutOff::Outside(
       if (part.begin < part.end)
       {
         inside.push_back(part);
+        isInside = part.begin <= 0.0 && part.end >= 1.0;
       }
     }
+    return !isInside;
+  };
+  const double reach = (this->Radius_ + 0.5 * std::sqrt(squaredLength)) * (1.0 + 1e-12);
+  this->Umbilics_.VisitNear(0.5 * (a + b), reach, cutOff);
+  if (isInside)
+  {
+    return {};
   }
   std::sort(
     inside.begin(), inside.end(), [](const Part& s, const Part& t) { return s.begin < t.begin; });

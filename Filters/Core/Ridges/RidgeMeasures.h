@@ -3,6 +3,7 @@
 #ifndef ridges_RidgeMeasures_h
 #define ridges_RidgeMeasures_h
 
+#include "Mesh/PointTree.h"
 #include "Ridges/RidgePoint.h"
 #include "Ridges/RidgeType.h"
 
@@ -30,7 +31,7 @@ class UmbilicCutOff
 {
 public:
   UmbilicCutOff() = default;
-  UmbilicCutOff(std::vector<Eigen::Vector3d> umbilics, double radius);
+  UmbilicCutOff(const std::vector<Eigen::Vector3d>& umbilics, double radius);
 
   /// A part of a segment, by fractions of it.
   struct Part
@@ -43,7 +44,7 @@ public:
   std::vector<Part> Outside(const Eigen::Vector3d& a, const Eigen::Vector3d& b) const;
 
 private:
-  std::vector<Eigen::Vector3d> Umbilics_; ///< Sorted by x.
+  PointTree Umbilics_;
   double Radius_ = 0.0;
 };
 
