@@ -11,6 +11,7 @@
 #include "vtkPolyData.h"
 #include "vtkPolygon.h"
 #include "vtkTriangleFilter.h"
+#include "vtkVersionMacros.h"
 
 #include <algorithm>
 
@@ -33,6 +34,15 @@ vtkIdType CountTriangles(vtkPolyData* data)
   return count;
 }
 
+bool CutEars(vtkPolygon* polygon, vtkIdList* triangles)
+{
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 20240617) // as in ParaView 5.13
+  return polygon->TriangulateLocalIds(0, triangles) != 0;
+#else
+  return polygon->Triangulate(triangles) != 0;
+#endif
+}
+
 /// Local numbers of the corners of the triangles that make up a polygon.
 void CutPolygon(vtkPoints* points, vtkIdList* polygon, vtkIdList* triangles)
 {
@@ -40,7 +50,7 @@ void CutPolygon(vtkPoints* points, vtkIdList* polygon, vtkIdList* triangles)
   vtkNew<vtkPolygon> cell;
   cell->Initialize(static_cast<int>(size), polygon->GetPointer(0), points);
   triangles->Reset();
-  if (size > 3 && cell->Triangulate(triangles) && triangles->GetNumberOfIds() == 3 * (size - 2))
+  if (size > 3 && CutEars(cell, triangles) && triangles->GetNumberOfIds() == 3 * (size - 2))
   {
     return;
   }
