@@ -106,6 +106,8 @@ TEST_F(Tampered, WrongIndexReportsACellOfItsPart)
   EXPECT_EQ(row.found, "1");
   EXPECT_EQ(row.kind, "cell");
   EXPECT_EQ(row.offenders, "0");
+  this->Umbilics->GetPointData()->GetArray(names::Index)->SetComponent(0, 0, 0.0);
+  EXPECT_EQ(RowOf(this->Table(), "index sum").found, "3/2");
 }
 
 TEST_F(Tampered, ReportsAWrongRidgeCount)

@@ -15,7 +15,7 @@ namespace ridges
 {
 
 // Aligned here and not by the library: GNU's takes aligned memory of this size from the system, new
-// each time, but keeps other memory that is freed for the next who asks.
+// each time, but reuses other memory that was freed.
 void* AllocateLarge(std::size_t bytes)
 {
   constexpr std::size_t line = 64;
@@ -41,7 +41,7 @@ void* AllocateLarge(std::size_t bytes)
 #ifdef __linux__
   if (alignment == page)
   {
-    // An advice: it does not matter if it is not taken.
+    // A hint; failure is harmless.
     madvise(memory, size, MADV_HUGEPAGE);
   }
 #endif
