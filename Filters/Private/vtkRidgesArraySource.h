@@ -11,8 +11,9 @@
 /**
  * Where arrays come from that a filter needs, private to the module.
  */
-struct vtkRidgesArraySource
+class vtkRidgesArraySource
 {
+public:
   const char* name;     ///< Of the input, for messages.
   vtkFieldData* arrays; ///< Its point, cell or field data.
   vtkIdType tuples;     ///< That each array has at least.

@@ -10,8 +10,9 @@
 /**
  * The words for a check of coherence, private to the module.
  */
-struct vtkRidgesCheckText
+class vtkRidgesCheckText
 {
+public:
   explicit vtkRidgesCheckText(const ridges::CoherenceCheck& check);
 
   std::string name;
