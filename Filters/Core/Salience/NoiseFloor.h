@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkRidges contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef ridges_NoiseFloor_h
+#define ridges_NoiseFloor_h
+
+#include "Mesh/OrderedRings.h"
+#include "Monge/AcuteRule.h"
+
+#include <vector>
+
+namespace ridges
+{
+
+/**
+ * The standard deviation of the noise of points, which is taken to be independent from point to
+ * point: from the heights that polynomials of degree four leave over in three rings, where these
+ * are smallest. Detail of the surface, which leaves more over, hardly counts so.
+ */
+class NoiseMeter
+{
+public:
+  NoiseMeter(const TriangleMesh& mesh, const OrderedRings& rings)
+    : Mesh_(mesh)
+    , Rings_(rings)
+  {
+  }
+
+  /// The rms of the heights left over around each of these points, appended; points that cannot be
+  /// fitted are left out. The order does not matter, and ranges may be done at the same time.
+  void Measure(Span<Id> sample, std::vector<double>& heights) const;
+
+  /// By all heights; 0 without any.
+  static double Deviation(std::vector<double> heights);
+
+private:
+  const TriangleMesh& Mesh_;
+  const OrderedRings& Rings_;
+};
+
+/// A number of normal distribution, of deviation 1, that depends on the point's coordinates only.
+double NormalNoise(const Eigen::Vector3d& point);
+
+/**
+ * The standard deviation of a curvature, from two fields of which one has noise that the other does
+ * not have. By a median, so that places where noise changes the shape do not matter.
+ */
+double CurvatureDeviation(
+  const TriangleMesh& mesh, const MongeField& field, const MongeField& noisy);
+
+} // namespace ridges
+
+#endif

@@ -1,0 +1,263 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkRidges contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "Fixtures/TestFields.h"
+
+#include "Salience/OneRings.h"
+#include "Salience/RingAveraging.h"
+#include "Salience/TensorSmoothing.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <numeric>
+
+namespace
+{
+
+using namespace ridges;
+using namespace ridges::testing;
+
+struct MeshWithRings
+{
+  explicit MeshWithRings(const Mesh& mesh)
+    : surface(mesh)
+    , ordered(RingsOf(surface.Triangles()))
+    , rings(surface.Triangles(), ordered)
+  {
+    rings.Build(0, surface.Triangles().NumberOfPoints());
+  }
+
+  const TriangleMesh& Triangles() const { return this->surface.Triangles(); }
+
+  MeshedSurface surface;
+  OrderedRings ordered;
+  OneRings rings;
+};
+
+/// Two tetrahedra that share a corner, 0: the triangles there are two fans.
+Mesh TwoTetrahedra()
+{
+  Mesh mesh;
+  mesh.AddPoint({ 0.0, 0.0, 0.0 });
+  for (const double z : { 1.0, -1.0 })
+  {
+    const auto first = static_cast<std::int32_t>(mesh.PointCount());
+    mesh.AddPoint({ 1.0, 0.0, z });
+    mesh.AddPoint({ -1.0, 1.0, z });
+    mesh.AddPoint({ -1.0, -1.0, z });
+    for (int i = 0; i < 3; ++i)
+    {
+      mesh.AddTriangle(0, first + i, first + (i + 1) % 3);
+    }
+    mesh.AddTriangle(first, first + 2, first + 1);
+  }
+  return mesh;
+}
+
+/// A flat grid of right triangles, edges of length 1.
+Mesh Grid(int n)
+{
+  return GraphPatch([](double, double) { return 0.0; }, 0.5 * n, n);
+}
+
+template <int Components>
+void RunSteps(RingAveraging<Components>& averaging, Id count, int steps)
+{
+  for (int i = 0; i < steps; ++i)
+  {
+    averaging.Step(0, count / 2);
+    averaging.Step(count / 2, count);
+    averaging.Swap();
+  }
+}
+
+} // namespace
+
+//------------------------------------------------------------------------------
+TEST(OneRings, AreasAddUpToThatOfTheMesh)
+{
+  for (const Mesh& mesh : { Icosphere(4), Grid(5), TwoTetrahedra() })
+  {
+    const MeshWithRings made(mesh);
+    double area = 0.0;
+    for (Id t = 0; t < made.Triangles().NumberOfTriangles(); ++t)
+    {
+      area += 0.5 * made.Triangles().AreaNormal(t).norm();
+    }
+    double sum = 0.0;
+    for (Id p = 0; p < made.Triangles().NumberOfPoints(); ++p)
+    {
+      sum += made.rings.Area(p);
+    }
+    EXPECT_NEAR(sum, area, 1e-12 * area);
+  }
+}
+
+TEST(OneRings, PointBetweenTwoFansHasAllNeighbors)
+{
+  const MeshWithRings made(TwoTetrahedra());
+  const Span<Id> around = made.rings.Around(0);
+  std::vector<Id> found(around.begin(), around.end());
+  std::sort(found.begin(), found.end());
+  EXPECT_EQ(found, (std::vector<Id>{ 1, 2, 3, 4, 5, 6 }));
+  EXPECT_FALSE(made.rings.IsFan(0));
+  EXPECT_TRUE(made.rings.IsFan(1));
+}
+
+// A regular hexagon of side h around its centre, all areas equal: 6/7 of the points at distance h,
+// and half of that along either axis.
+TEST(OneRings, VarianceOfARegularMeshIsThreeSevenths)
+{
+  Mesh mesh;
+  const double h = 0.3;
+  const int n = 8;
+  for (int j = 0; j < n; ++j)
+  {
+    for (int i = 0; i < n; ++i)
+    {
+      mesh.AddPoint({ h * (i + 0.5 * j), h * std::sqrt(0.75) * j, 0.0 });
+    }
+  }
+  for (int j = 0; j + 1 < n; ++j)
+  {
+    for (int i = 0; i + 1 < n; ++i)
+    {
+      const int p = j * n + i;
+      mesh.AddTriangle(p, p + 1, p + n);
+      mesh.AddTriangle(p + 1, p + n + 1, p + n);
+    }
+  }
+  const MeshWithRings made(mesh);
+  EXPECT_NEAR(made.rings.Variance(3 * n + 3), 3.0 / 7.0 * h * h, 1e-12);
+}
+
+//------------------------------------------------------------------------------
+TEST(RingAveraging, KeepsConstants)
+{
+  const MeshWithRings made(AddNormalNoise(Icosphere(5), 0.05, 1));
+  const Id count = made.Triangles().NumberOfPoints();
+  RingAveraging<9> averaging(made.rings);
+  for (Id p = 0; p < count; ++p)
+  {
+    averaging.Set(p, { 1.0, -2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0 });
+  }
+  for (Id p = 0; p < count; ++p)
+  {
+    averaging.Prepare(p, p % 3 == 0 ? 0.3 : 1.0);
+  }
+  RunSteps(averaging, count, 20);
+  for (Id p = 0; p < count; ++p)
+  {
+    RingAveraging<9>::Values values;
+    ASSERT_TRUE(averaging.Get(p, values));
+    ASSERT_NEAR(values[0], 1.0, 1e-12);
+    ASSERT_NEAR(values[1], -2.0, 1e-12);
+    ASSERT_NEAR(values[8], 9.0, 1e-12);
+  }
+}
+
+TEST(RingAveraging, LeavesOutPointsThatDoNotCount)
+{
+  const MeshWithRings made(Icosphere(3));
+  const Id count = made.Triangles().NumberOfPoints();
+  RingAveraging<9> averaging(made.rings);
+  const double none = std::nan("");
+  for (Id p = 0; p < count; ++p)
+  {
+    const bool counts = p != 7;
+    averaging.Set(p, { counts ? 1.0 : none }, counts);
+  }
+  for (Id p = 0; p < count; ++p)
+  {
+    averaging.Prepare(p, 1.0);
+  }
+  RunSteps(averaging, count, 3);
+  for (Id p = 0; p < count; ++p)
+  {
+    RingAveraging<9>::Values values;
+    EXPECT_EQ(averaging.Get(p, values), p != 7);
+    EXPECT_NEAR(values[0], p != 7 ? 1.0 : 0.0, 1e-14);
+  }
+}
+
+//------------------------------------------------------------------------------
+// The average of x^2 over a Gaussian around x = 0 is its variance. Triangles of the right half are
+// ten times smaller; both reach the scale that was asked for, and say so.
+TEST(SmoothingPlan, ReachesTheScaleWhateverTheTriangles)
+{
+  for (const double sigma : { 1.5, 3.0 })
+  {
+    // The mesh ends farther away than the Gaussian reaches.
+    const MeshWithRings made(GraphPatch([](double, double) { return 0.0; }, 16.0, 64, 0.2));
+    const TriangleMesh& mesh = made.Triangles();
+    const SmoothingPlan plan(made.rings, nullptr, sigma);
+    EXPECT_GT(plan.Steps(), SmoothingPlan::LeastSteps);
+    RingAveraging<9> averaging(made.rings);
+    for (Id p = 0; p < mesh.NumberOfPoints(); ++p)
+    {
+      averaging.Set(p, { mesh.Point(p)[0] * mesh.Point(p)[0] });
+    }
+    for (Id p = 0; p < mesh.NumberOfPoints(); ++p)
+    {
+      averaging.Prepare(p, plan.Share(p));
+    }
+    RunSteps(averaging, mesh.NumberOfPoints(), plan.Steps());
+    double excess = 0.0;
+    int inside = 0;
+    for (Id p = 0; p < mesh.NumberOfPoints(); ++p)
+    {
+      if (mesh.Point(p).norm() < 4.0)
+      {
+        RingAveraging<9>::Values values;
+        averaging.Get(p, values);
+        excess += values[0] - mesh.Point(p)[0] * mesh.Point(p)[0];
+        ++inside;
+        EXPECT_NEAR(plan.Sigma(p), sigma, 0.05 * sigma);
+      }
+    }
+    // Some percent, as neighbours are not spread evenly around each point.
+    EXPECT_NEAR(std::sqrt(excess / inside), sigma, 0.03 * sigma);
+  }
+}
+
+TEST(SmoothingPlan, CountsWhatTheFitHasSmoothed)
+{
+  const MeshWithRings made(Grid(30));
+  const std::vector<double> radii(made.Triangles().NumberOfPoints(), 5.0); // 0.4 of it: 2
+  const SmoothingPlan alone(made.rings, nullptr, 2.5);
+  const SmoothingPlan plan(made.rings, radii.data(), 2.5);
+  EXPECT_LT(plan.Steps(), alone.Steps());
+  EXPECT_NEAR(plan.Sigma(465), 2.5, 0.01);
+  // Two steps are made at least, and reported.
+  const SmoothingPlan coarse(made.rings, radii.data(), 0.1);
+  EXPECT_EQ(coarse.Steps(), SmoothingPlan::LeastSteps);
+  EXPECT_GT(coarse.Sigma(465), 2.0);
+}
+
+//------------------------------------------------------------------------------
+TEST(TensorSmoothing, FormsComeBackFromSpace)
+{
+  const MeshedSurface surface(Icosphere(2));
+  const FieldArrays field = RandomField(surface.Triangles(), 3);
+  for (Id p = 0; p < surface.Triangles().NumberOfPoints(); ++p)
+  {
+    MongeForm form;
+    ASSERT_TRUE(SecondOrderFromSpace(SecondOrderToSpace(field.View(), p), form));
+    EXPECT_NEAR(form.k1, field.k1[p], 1e-14);
+    EXPECT_NEAR(form.k2, field.k2[p], 1e-14);
+    EXPECT_NEAR(std::abs(form.d1.dot(field.View().D1(p))), 1.0, 1e-14);
+
+    const ThirdOrderValues values = ThirdOrderToSpace(field.View(), p);
+    ASSERT_TRUE(ThirdOrderFromSpace(values, form));
+    const double sign = form.d1.dot(field.View().D1(p)) > 0.0 ? 1.0 : -1.0;
+    for (int i = 0; i < 4; ++i)
+    {
+      EXPECT_NEAR(form.b[i], sign * field.b[4 * p + i], 1e-13);
+    }
+    EXPECT_NEAR(values[19], field.P1[p], 1e-12 * std::abs(field.P1[p]));
+    EXPECT_NEAR(values[20], field.P2[p], 1e-12 * std::abs(field.P2[p]));
+  }
+}
