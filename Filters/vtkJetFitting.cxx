@@ -6,17 +6,14 @@
 #include "Core/Fit/ScaleSelection.h"
 #include "Core/Mesh/OrderedRings.h"
 #include "Core/Mesh/RingNeighborhood.h"
-#include "vtkRidgesArrayNames.h"
 #include "vtkRidgesBatches.h"
 #include "vtkRidgesFitPoints.h"
 #include "vtkRidgesMesh.h"
 #include "vtkRidgesMongeOutput.h"
+#include "vtkRidgesUmbilicMarks.h"
 
-#include "vtkCellData.h"
-#include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkIntArray.h"
-#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
@@ -26,8 +23,6 @@
 #include <cmath>
 #include <memory>
 #include <sstream>
-
-namespace names = vtkRidgesArrayNames;
 
 vtkStandardNewMacro(vtkJetFitting);
 
@@ -39,25 +34,6 @@ static_assert(static_cast<int>(vtkJetFitting::FIT_BOUNDARY) == ridges::FitBounda
 
 namespace
 {
-
-/// Marks of an earlier vtkUmbilicDetection do not belong to this fit.
-void RemoveUmbilics(vtkPolyData* mesh)
-{
-  for (const char* name : { names::UmbilicPatch, names::CancelledUmbilics, names::UmbilicZone })
-  {
-    mesh->GetCellData()->RemoveArray(name);
-  }
-  // The field data is still the input's own, which is not ours to change.
-  vtkNew<vtkFieldData> field;
-  field->ShallowCopy(mesh->GetFieldData());
-  for (const char* name : { names::UmbilicPosition, names::UmbilicIndex, names::UmbilicRidgeCount,
-         names::UmbilicTriangle, names::UmbilicIndexSum, names::EulerCharacteristic,
-         names::NumberOfCancelledRegions, names::NumberOfUmbilicZones })
-  {
-    field->RemoveArray(name);
-  }
-  mesh->SetFieldData(field);
-}
 
 struct BuildRings
 {
@@ -242,7 +218,7 @@ int vtkJetFitting::RequestData(
 
   output->ShallowCopy(mesh.GetPolyData());
   arrays.AddTo(output->GetPointData());
-  RemoveUmbilics(output);
+  vtkRidgesUmbilicMarks::RemoveFrom(output);
   mesh.HandOnWith(output);
   return 1;
 }

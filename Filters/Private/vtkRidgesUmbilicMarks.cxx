@@ -6,6 +6,9 @@
 #include "vtkRidgesCollect.h"
 #include "vtkRidgesMesh.h"
 
+#include "vtkCellData.h"
+#include "vtkFieldData.h"
+#include "vtkNew.h"
 #include "vtkPolyData.h"
 
 namespace names = vtkRidgesArrayNames;
@@ -24,6 +27,24 @@ vtkRidgesUmbilicMarks::vtkRidgesUmbilicMarks(const vtkRidgesMesh& mesh)
   {
     this->FetchRegions(cancelled, this->Patches.size());
   }
+}
+
+void vtkRidgesUmbilicMarks::RemoveFrom(vtkPolyData* output)
+{
+  for (const char* name : { names::UmbilicPatch, names::CancelledUmbilics, names::UmbilicZone })
+  {
+    output->GetCellData()->RemoveArray(name);
+  }
+  // The field data is still the input's own, which is not ours to change.
+  vtkNew<vtkFieldData> field;
+  field->ShallowCopy(output->GetFieldData());
+  for (const char* name : { names::UmbilicPosition, names::UmbilicIndex, names::UmbilicRidgeCount,
+         names::UmbilicTriangle, names::UmbilicIndexSum, names::EulerCharacteristic,
+         names::NumberOfCancelledRegions, names::NumberOfUmbilicZones })
+  {
+    field->RemoveArray(name);
+  }
+  output->SetFieldData(field);
 }
 
 void vtkRidgesUmbilicMarks::FetchUmbilics()

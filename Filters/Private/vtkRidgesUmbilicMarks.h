@@ -11,6 +11,7 @@
 #include <unordered_map>
 #include <vector>
 
+class vtkPolyData;
 class vtkRidgesMesh;
 
 /**
@@ -20,6 +21,9 @@ class vtkRidgesUmbilicMarks
 {
 public:
   explicit vtkRidgesUmbilicMarks(const vtkRidgesMesh& mesh);
+
+  /// Removes the marks from the output of a filter, whose Monge arrays they do not belong to.
+  static void RemoveFrom(vtkPolyData* output);
 
   /// Whether there are marks, even if of no umbilic.
   bool AreThere() const { return this->PatchOfCell.AreThere(); }
