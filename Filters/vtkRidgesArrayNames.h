@@ -73,6 +73,16 @@ constexpr const char* RidgeId = "RidgeId";
 constexpr const char* Closed = "Closed";
 ///@}
 
+/// @name Ridges, of vtkSalientRidges: cell data, point data, both or, the last, field data
+///@{
+constexpr const char* Confidence = "Confidence";
+constexpr const char* FoldMass = "FoldMass";
+constexpr const char* FoldAngle = "FoldAngle";
+constexpr const char* FoldWidth = "FoldWidth";
+constexpr const char* ArcLength = "ArcLength";
+constexpr const char* NoiseFloor = "NoiseFloor";
+///@}
+
 /// @name Purple points, point data
 ///@{
 constexpr const char* MaximumRidgeId = "MaximumRidgeId";

@@ -16,6 +16,8 @@ PROXIES = [
     "RidgeSharpnessFilter",
     "PrincipalFoliation",
     "RidgesAndUmbilics",
+    "MongeSmoothing",
+    "SalientRidges",
 ]
 
 

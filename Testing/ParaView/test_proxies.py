@@ -235,6 +235,7 @@ class TestBadInput(unittest.TestCase):
         for name, text in (
             ("UmbilicDetection", "MaximumCurvature, MinimumCurvature"),
             ("RidgeExtraction", "MaximumCurvature, MinimumCurvature"),
+            ("MongeSmoothing", "MaximumCurvature, MinimumCurvature"),
             ("PrincipalFoliation", "MaximumCurvature, MinimumCurvature"),
             ("RidgeSharpnessFilter", "RidgeType"),
         ):

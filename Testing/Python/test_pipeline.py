@@ -54,6 +54,8 @@ class TestPackage(unittest.TestCase):
             "vtkRidgeExtraction",
             "vtkRidgeSharpnessFilter",
             "vtkRidgesAndUmbilics",
+            "vtkSalientRidges",
+            "vtkMongeSmoothing",
             "vtkUmbilicDetection",
         }
         self.assertLessEqual(expected, set(vtkridges.__all__))

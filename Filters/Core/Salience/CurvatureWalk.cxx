@@ -224,8 +224,8 @@ bool CurvatureWalk::Step()
   {
     return false; // at an umbilic
   }
-  direction = this->TurnedInward(face,
-    this->Direction(this->At(face, x + 0.5 * distance * direction).turning, direction));
+  direction = this->TurnedInward(
+    face, this->Direction(this->At(face, x + 0.5 * distance * direction).turning, direction));
   const int exit = this->FindExit(face, x, direction, distance);
   if (exit < 0)
   {
@@ -234,8 +234,8 @@ bool CurvatureWalk::Step()
   const Eigen::Vector2d exitStart = face.corners[exit];
   const Eigen::Vector2d exitSide = face.corners[(exit + 1) % 3] - exitStart;
   const double square = exitSide.squaredNorm();
-  const double fraction = std::clamp(
-    (x + distance * direction - exitStart).dot(exitSide) / square, CornerMargin, 1.0 - CornerMargin);
+  const double fraction = std::clamp((x + distance * direction - exitStart).dot(exitSide) / square,
+    CornerMargin, 1.0 - CornerMargin);
   const Eigen::Vector2d y = exitStart + fraction * exitSide;
   const Local local = this->At(face, y);
   this->Curvature_ = this->CurvatureOf(local);

@@ -79,11 +79,11 @@ private:
 
   Color Color_ = Color::Blue;
   Id Triangle_ = 0;
-  int Side_ = 0;           ///< Of the triangle, which the walk enters through.
-  double Fraction_ = 0.0;  ///< Of that side, from its start.
-  double Along_ = 0.0;     ///< The direction in which it enters: along the side,
-  double Inward_ = 1.0;    ///< and from it into the triangle.
-  bool HasNext_ = false;   ///< Whether there is a triangle to enter.
+  int Side_ = 0;          ///< Of the triangle, which the walk enters through.
+  double Fraction_ = 0.0; ///< Of that side, from its start.
+  double Along_ = 0.0;    ///< The direction in which it enters: along the side,
+  double Inward_ = 1.0;   ///< and from it into the triangle.
+  bool HasNext_ = false;  ///< Whether there is a triangle to enter.
   double Curvature_ = 0.0;
   double StepLength_ = 0.0;
   int ShortSteps_ = 0;

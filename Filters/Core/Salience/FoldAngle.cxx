@@ -37,8 +37,8 @@ Fold FoldMeter::Measure(Color color, Id edge, const Eigen::Vector3d& point)
 }
 
 /// Samples one side; the result is the least f, or 0 where there is no way.
-double FoldMeter::Walk(Color color, Id triangle, Id edge, const Eigen::Vector3d& point,
-  double& peak, Samples& samples)
+double FoldMeter::Walk(
+  Color color, Id triangle, Id edge, const Eigen::Vector3d& point, double& peak, Samples& samples)
 {
   samples.clear();
   if (triangle < 0 || !this->Walk_.Start(color, triangle, edge, point))

@@ -13,8 +13,9 @@ namespace ridges
 /// By how much a surface folds across a ridge.
 struct Fold
 {
-  double angle = 0.0;  ///< In radians.
-  double width = 0.0;  ///< Of the stretch that folds, along the curvature line, in the unit of the points.
+  double angle = 0.0; ///< In radians.
+  double width =
+    0.0; ///< Of the stretch that folds, along the curvature line, in the unit of the points.
   double height = 0.0; ///< Curvature at the ridge less that at the foot of its feature.
 };
 
@@ -32,8 +33,8 @@ struct FoldRule
  *
  * From the point a walk follows the curvature line to both sides, and watches f: k1 on blue ridges,
  * -k2 on red ones. It ends where f is higher than at the ridge, at the border, at an umbilic, or
- * after `reach`. The foot is the higher of the lowest f at the two sides, as for the prominence of a
- * mountain, and not below 0. The fold angle is the integral of f less the foot and the floor, as
+ * after `reach`. The foot is the higher of the lowest f at the two sides, as for the prominence of
+ * a mountain, and not below 0. The fold angle is the integral of f less the foot and the floor, as
  * long as that is positive around the point. It is 0 on spheres, planes, cylinders, cones and tori,
  * and the angle between its two sides at a sharp crease.
  *

@@ -96,8 +96,8 @@ double NoiseMeter::Deviation(std::vector<double> heights)
   {
     return 0.0;
   }
-  const auto which = heights.begin() +
-    static_cast<std::ptrdiff_t>(part * static_cast<double>(heights.size() - 1));
+  const auto which =
+    heights.begin() + static_cast<std::ptrdiff_t>(part * static_cast<double>(heights.size() - 1));
   std::nth_element(heights.begin(), which, heights.end());
   return deviationsPerQuantile * *which;
 }
@@ -116,7 +116,8 @@ double NormalNoise(const Eigen::Vector3d& point)
   return radius * std::cos(2.0 * EIGEN_PI * Uniform(Mixed(hash)));
 }
 
-double CurvatureDeviation(const TriangleMesh& mesh, const MongeField& field, const MongeField& noisy)
+double CurvatureDeviation(
+  const TriangleMesh& mesh, const MongeField& field, const MongeField& noisy)
 {
   std::vector<double> squares;
   for (Id p = 0; p < mesh.NumberOfPoints(); ++p)
@@ -125,8 +126,8 @@ double CurvatureDeviation(const TriangleMesh& mesh, const MongeField& field, con
     {
       const auto tensor = [p](const MongeField& f)
       {
-        return Eigen::Matrix3d(f.k1[p] * f.D1(p) * f.D1(p).transpose() +
-          f.k2[p] * f.D2(p) * f.D2(p).transpose());
+        return Eigen::Matrix3d(
+          f.k1[p] * f.D1(p) * f.D1(p).transpose() + f.k2[p] * f.D2(p) * f.D2(p).transpose());
       };
       squares.push_back((tensor(field) - tensor(noisy)).squaredNorm());
     }

@@ -14,8 +14,8 @@ namespace ridges
  * Replaces the values at all points, again and again, by their averages over one-rings, weighted by
  * area. Each step is a diffusion: many of them are a Gaussian on the surface.
  *
- * Set and Prepare work on ranges of points, then Step on ranges and Swap in turn. Ranges of one step
- * may be done at the same time.
+ * Set and Prepare work on ranges of points, then Step on ranges and Swap in turn. Ranges of one
+ * step may be done at the same time.
  */
 template <int Components>
 class RingAveraging

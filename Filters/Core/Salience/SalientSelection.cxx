@@ -24,8 +24,8 @@ public:
     for (Id i = 0; i < this->Count_; ++i)
     {
       const bool isMeant = rule.crestOnly ? trace.IsCrest(i) : IsElliptic(trace.types[i]);
-      this->Kept_[i] = isMeant && folds[i].angle >= rule.weakAngle &&
-        folds[i + 1].angle >= rule.weakAngle;
+      this->Kept_[i] =
+        isMeant && folds[i].angle >= rule.weakAngle && folds[i + 1].angle >= rule.weakAngle;
     }
   }
 
@@ -75,8 +75,8 @@ private:
   double Length(Id i) const
   {
     const Id piece = i % this->Count_;
-    return (this->Trace_.vertices[piece + 1].point.position -
-      this->Trace_.vertices[piece].point.position)
+    return (
+      this->Trace_.vertices[piece + 1].point.position - this->Trace_.vertices[piece].point.position)
       .norm();
   }
 

@@ -37,9 +37,9 @@ struct SalientLine
 using RidgeFolds = std::vector<Fold>;
 
 /**
- * The salient parts of ridges of one colour: hysteresis along whole ridges. Pieces that are elliptic
- * with the weak angle at both ends are joined, gaps bridged, and what is left is kept if it has the
- * angle somewhere and enough mass. In the order of ridges, and along them.
+ * The salient parts of ridges of one colour: hysteresis along whole ridges. Pieces that are
+ * elliptic with the weak angle at both ends are joined, gaps bridged, and what is left is kept if
+ * it has the angle somewhere and enough mass. In the order of ridges, and along them.
  */
 std::vector<SalientLine> SelectSalient(const std::vector<RidgeTrace>& ridges,
   const std::vector<RidgeFolds>& folds, const SalientRule& rule);

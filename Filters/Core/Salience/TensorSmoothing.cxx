@@ -194,8 +194,7 @@ double SmoothingPlan::Share(Id p) const
 
 double SmoothingPlan::Sigma(Id p) const
 {
-  return std::sqrt(
-    this->FitVariance(p) + this->Steps_ * this->Share(p) * this->Rings_.Variance(p));
+  return std::sqrt(this->FitVariance(p) + this->Steps_ * this->Share(p) * this->Rings_.Variance(p));
 }
 
 } // namespace ridges

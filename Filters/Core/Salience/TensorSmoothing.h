@@ -38,8 +38,8 @@ bool ThirdOrderFromSpace(const ThirdOrderValues& values, MongeForm& form);
  * which share of each a point takes (see RingAveraging).
  *
  * A step adds OneRings::Variance at a point, more where triangles are larger. So that the scale is
- * the same all over a mesh, points in large triangles take a part of each step only. A fit of degree
- * two to the points within a radius r counts as a Gaussian of 0.4 r.
+ * the same all over a mesh, points in large triangles take a part of each step only. A fit of
+ * degree two to the points within a radius r counts as a Gaussian of 0.4 r.
  */
 class SmoothingPlan
 {

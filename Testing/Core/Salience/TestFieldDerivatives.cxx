@@ -43,8 +43,7 @@ std::array<double, 2> ErrorsOn(const MeshedSurface& surface, const FieldArrays& 
     }
   }
   const double count = mesh.NumberOfPoints();
-  return { std::sqrt(squares[0] / count) / largest[0],
-    std::sqrt(squares[1] / count) / largest[1] };
+  return { std::sqrt(squares[0] / count) / largest[0], std::sqrt(squares[1] / count) / largest[1] };
 }
 
 } // namespace

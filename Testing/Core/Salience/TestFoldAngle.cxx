@@ -25,10 +25,11 @@ struct Roof
   static constexpr double HalfSize = 1.0;
 
   explicit Roof(int n, double jitter = 0.2)
-    : surface(GraphPatch([](double x, double) { return -Slope * std::hypot(x, Round); }, HalfSize,
-        n, jitter))
-    , field(ExactField(surface.Triangles(), AnalyticSurface([](auto x, auto, auto z)
-                                              { return z + Slope * sqrt(x * x + Round * Round); })))
+    : surface(GraphPatch(
+        [](double x, double) { return -Slope * std::hypot(x, Round); }, HalfSize, n, jitter))
+    , field(ExactField(surface.Triangles(),
+        AnalyticSurface(
+          [](auto x, auto, auto z) { return z + Slope * sqrt(x * x + Round * Round); })))
   {
   }
 
@@ -49,8 +50,8 @@ struct Roof
     {
       const double x = to * (i + 0.5) / steps;
       const double first = Slope * x / std::hypot(x, Round);
-      angle += 2.0 * to / steps * std::sqrt(1.0 + first * first) *
-        std::max(0.0, Curvature(x) - foot);
+      angle +=
+        2.0 * to / steps * std::sqrt(1.0 + first * first) * std::max(0.0, Curvature(x) - foot);
     }
     return angle;
   }
@@ -251,8 +252,11 @@ TEST(FoldAngle, OfALowerPeakEndsAtTheSaddle)
   const MeshedSurface surface(GraphPatch([](double, double) { return 0.0; }, 1.0, 100, 0.2));
   const TriangleMesh& mesh = surface.Triangles();
   FieldArrays field(mesh.NumberOfPoints());
-  const auto curvature = [](double x) { return std::max(0.0, 1.0 - 10.0 * std::abs(x + 0.3)) +
-      std::max(0.2 - 0.2 * x, 2.0 - 10.0 * std::abs(x - 0.3)); };
+  const auto curvature = [](double x)
+  {
+    return std::max(0.0, 1.0 - 10.0 * std::abs(x + 0.3)) +
+      std::max(0.2 - 0.2 * x, 2.0 - 10.0 * std::abs(x - 0.3));
+  };
   for (Id p = 0; p < mesh.NumberOfPoints(); ++p)
   {
     MongeForm form;

@@ -12,8 +12,8 @@ namespace
 
 using namespace ridges;
 
-/// A ridge with its vertices at distance 1 from each other, and folds of these angles: elliptic, but
-/// hyperbolic where an angle is negative.
+/// A ridge with its vertices at distance 1 from each other, and folds of these angles: elliptic,
+/// but hyperbolic where an angle is negative.
 struct TestRidge
 {
   TestRidge(const std::vector<double>& angles, bool closed)

@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkRidges contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkRidgesFolds.h"
+
+#include "vtkRidgesBatches.h"
+
+#include "vtkSMPThreadLocal.h"
+
+#include <memory>
+
+namespace
+{
+
+struct Place
+{
+  const ridges::RidgeVertex* vertex;
+  ridges::Fold* fold;
+};
+
+struct MeasureFolds
+{
+  const ridges::TriangleMesh& mesh;
+  const ridges::MongeField& field;
+  const ridges::FoldRule& rule;
+  const std::vector<Place>& places;
+  // Shared, as vtkSMPThreadLocal copies the (empty) value it starts from.
+  vtkSMPThreadLocal<std::shared_ptr<ridges::FoldMeter>> perThread;
+
+  void operator()(vtkIdType begin, vtkIdType end)
+  {
+    std::shared_ptr<ridges::FoldMeter>& meter = this->perThread.Local();
+    if (!meter)
+    {
+      meter = std::make_shared<ridges::FoldMeter>(this->mesh, this->field, this->rule);
+    }
+    for (vtkIdType i = begin; i < end; ++i)
+    {
+      const ridges::RidgeVertex& vertex = *this->places[i].vertex;
+      *this->places[i].fold =
+        meter->Measure(vertex.point.color, vertex.edge, vertex.point.position);
+    }
+  }
+};
+
+} // namespace
+
+bool vtkRidgesMeasureFolds(vtkAlgorithm* filter, double from, double to,
+  const ridges::TriangleMesh& mesh, const ridges::MongeField& field, const ridges::FoldRule& rule,
+  const std::vector<ridges::RidgeTrace>& ridges, std::vector<ridges::RidgeFolds>& folds)
+{
+  folds.resize(ridges.size());
+  std::vector<Place> places;
+  for (std::size_t i = 0; i < ridges.size(); ++i)
+  {
+    const ridges::RidgeTrace& ridge = ridges[i];
+    folds[i].assign(ridge.vertices.size(), ridges::Fold());
+    for (std::size_t j = 0; j < ridge.vertices.size(); ++j)
+    {
+      const bool isElliptic = (j > 0 && ridges::IsElliptic(ridge.types[j - 1])) ||
+        (j < ridge.types.size() && ridges::IsElliptic(ridge.types[j]));
+      if (isElliptic && ridge.vertices[j].edge != ridges::RidgeVertex::None)
+      {
+        places.push_back({ &ridge.vertices[j], &folds[i][j] });
+      }
+    }
+  }
+  MeasureFolds measure{ mesh, field, rule, places, {} };
+  return vtkRidgesForBatches(
+    filter, static_cast<vtkIdType>(places.size()), from, to, measure, 1 << 14);
+}

@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkRidges contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef vtkRidgesFolds_h
+#define vtkRidgesFolds_h
+
+#include "Core/Salience/SalientSelection.h"
+
+#include <vector>
+
+class vtkAlgorithm;
+
+/**
+ * Measures the folds at the vertices of ridges, in parallel, private to the module. False if the
+ * user aborted the filter, whose progress runs from `from` to `to`.
+ */
+bool vtkRidgesMeasureFolds(vtkAlgorithm* filter, double from, double to,
+  const ridges::TriangleMesh& mesh, const ridges::MongeField& field, const ridges::FoldRule& rule,
+  const std::vector<ridges::RidgeTrace>& ridges, std::vector<ridges::RidgeFolds>& folds);
+
+#endif

@@ -1,0 +1,338 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkRidges contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkSalientRidges.h"
+
+#include "Core/Fit/ScaleSelection.h"
+#include "Core/Mesh/EnclosingSphere.h"
+#include "Core/Salience/NoiseFloor.h"
+#include "vtkJetFitting.h"
+#include "vtkMongeSmoothing.h"
+#include "vtkRidgesArrayNames.h"
+#include "vtkRidgesBatches.h"
+#include "vtkRidgesFolds.h"
+#include "vtkRidgesMongeInput.h"
+#include "vtkRidgesSalientLines.h"
+#include "vtkRidgesSearch.h"
+#include "vtkRidgesUmbilicMarks.h"
+#include "vtkUmbilicDetection.h"
+
+#include "vtkCommand.h"
+#include "vtkDoubleArray.h"
+#include "vtkExecutive.h"
+#include "vtkFieldData.h"
+#include "vtkInformation.h"
+#include "vtkMath.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkPolyData.h"
+
+#include <Eigen/Geometry>
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace names = vtkRidgesArrayNames;
+using ridges::Id;
+
+vtkStandardNewMacro(vtkSalientRidges);
+
+namespace
+{
+
+/// How far walks across ridges go at most, in units of the scale. Farther than eight there is
+/// hardly a feature of that scale left, and slow bends of the whole body would count as folds.
+constexpr double Reach = 8.0;
+
+/// A message without what VTK puts around it: file, line and object of the stage.
+std::string BareText(const char* text)
+{
+  std::string bare = text;
+  const std::size_t object = bare.find("): ");
+  bare.erase(0, object == std::string::npos ? 0 : object + 3);
+  bare.erase(bare.find_last_not_of(" \n") + 1);
+  return bare;
+}
+
+void SetFieldValue(vtkPolyData* data, const char* name, double value)
+{
+  vtkNew<vtkDoubleArray> array;
+  array->SetName(name);
+  array->InsertNextValue(value);
+  data->GetFieldData()->AddArray(array);
+}
+
+} // namespace
+
+/// The stages, and what runs them.
+class vtkSalientRidges::vtkInternals
+{
+public:
+  explicit vtkInternals(vtkSalientRidges* filter)
+    : Filter(filter)
+  {
+    for (FieldStages* field : { &this->Clean, &this->Noisy })
+    {
+      field->jets->SetDegree(2);
+      field->jets->SetMongeOrder(2);
+    }
+    for (vtkPolyDataAlgorithm* stage : std::array<vtkPolyDataAlgorithm*, 5>{ this->Clean.jets,
+           this->Clean.smoothing, this->Noisy.jets, this->Noisy.smoothing, this->Umbilics })
+    {
+      stage->AddObserver(vtkCommand::ProgressEvent, this, &vtkInternals::ForwardProgress);
+      stage->AddObserver(vtkCommand::WarningEvent, this, &vtkInternals::ForwardMessage);
+      stage->AddObserver(vtkCommand::ErrorEvent, this, &vtkInternals::ForwardMessage);
+      stage->GetExecutive()->AddObserver(
+        vtkCommand::ErrorEvent, this, &vtkInternals::ForwardMessage);
+    }
+  }
+
+  /// What makes a smooth field.
+  struct FieldStages
+  {
+    vtkNew<vtkJetFitting> jets;
+    vtkNew<vtkMongeSmoothing> smoothing;
+  };
+
+  /// The output of a stage for this input, its own, which has the adjacency of the mesh with it;
+  /// null after an error or where the user aborted.
+  vtkPolyData* Run(vtkPolyDataAlgorithm* stage, vtkPolyData* input, double from, double to);
+
+  /// The same for the stages of a field.
+  vtkPolyData* Smooth(FieldStages& stages, vtkPolyData* input, double from, double to)
+  {
+    stages.smoothing->SetRelativeSigma(this->Filter->RelativeScale);
+    vtkPolyData* fitted = this->Run(stages.jets, input, from, 0.5 * (from + to));
+    return fitted ? this->Run(stages.smoothing, fitted, 0.5 * (from + to), to) : nullptr;
+  }
+
+  /// The deviation of curvatures that is due to noise; false where the user aborted.
+  bool FindNoiseFloor(vtkPolyData* smoothed, double& floor);
+
+  /// Stores the lines; false where the user aborted.
+  bool FindLines(vtkPolyData* marked, double floor, vtkPolyData* output);
+
+  std::string ErrorText;
+  FieldStages Clean;
+  FieldStages Noisy; ///< With noise added.
+  vtkNew<vtkUmbilicDetection> Umbilics;
+
+private:
+  void ForwardProgress(vtkObject* stage, unsigned long, void*);
+  void ForwardMessage(vtkObject*, unsigned long event, void* text);
+  bool FindColor(ridges::Color color, const vtkRidgesSearch& search,
+    const vtkRidgesMongeInput& monge, const ridges::FoldRule& rule, double from,
+    std::vector<ridges::RidgeTrace>& found, std::vector<ridges::RidgeFolds>& folds);
+
+  vtkSalientRidges* Filter;
+  double From = 0.0; ///< Progress of the stage that runs.
+  double To = 1.0;
+  bool Silent = false; ///< While stages repeat with noise what they have done.
+};
+
+void vtkSalientRidges::vtkInternals::ForwardProgress(vtkObject* stage, unsigned long, void*)
+{
+  auto* algorithm = static_cast<vtkAlgorithm*>(stage);
+  this->Filter->UpdateProgress(this->From + (this->To - this->From) * algorithm->GetProgress());
+  if (this->Filter->GetAbortExecute())
+  {
+    algorithm->SetAbortExecute(1);
+  }
+}
+
+void vtkSalientRidges::vtkInternals::ForwardMessage(vtkObject*, unsigned long event, void* text)
+{
+  const std::string bare = BareText(static_cast<const char*>(text));
+  if (event == vtkCommand::WarningEvent)
+  {
+    if (!this->Silent)
+    {
+      vtkWarningWithObjectMacro(this->Filter, << bare);
+    }
+  }
+  else if (this->ErrorText.empty()) // then the executive only adds that its stage has failed
+  {
+    this->ErrorText = bare;
+  }
+}
+
+vtkPolyData* vtkSalientRidges::vtkInternals::Run(
+  vtkPolyDataAlgorithm* stage, vtkPolyData* input, double from, double to)
+{
+  this->From = from;
+  this->To = to;
+  stage->SetInputData(input);
+  stage->Update();
+  if (this->Filter->GetAbortExecute())
+  {
+    // Taken back, as VTK after 9.1 does not do so itself; and what it has left is not its output.
+    stage->SetAbortExecute(0);
+    stage->Modified();
+    return nullptr;
+  }
+  return this->ErrorText.empty() ? stage->GetOutput() : nullptr;
+}
+
+bool vtkSalientRidges::vtkInternals::FindNoiseFloor(vtkPolyData* smoothed, double& floor)
+{
+  vtkRidgesMongeInput clean;
+  if (!clean.FetchSecondOrder(this->Filter, smoothed))
+  {
+    return false;
+  }
+  const ridges::TriangleMesh& mesh = clean.mesh.GetTriangles();
+  const vtkIdType count = smoothed->GetNumberOfPoints();
+  ridges::OrderedRings rings(mesh);
+  const auto build = [&rings](vtkIdType begin, vtkIdType end)
+  { rings.Build(static_cast<Id>(begin), static_cast<Id>(end)); };
+  if (!vtkRidgesForBatches(this->Filter, count, 0.4, 0.42, build))
+  {
+    return false;
+  }
+  const std::vector<Id> sample = ridges::ScaleSample(mesh);
+  std::vector<double> heights;
+  ridges::NoiseMeter(mesh, rings)
+    .Measure({ sample.data(), sample.data() + sample.size() }, heights);
+  const double deviation = ridges::NoiseMeter::Deviation(heights);
+
+  const ridges::MongeField& field = clean.arrays.GetField();
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  points->SetNumberOfPoints(count);
+  const auto displace = [&](vtkIdType begin, vtkIdType end)
+  {
+    for (auto p = static_cast<Id>(begin); p < end; ++p)
+    {
+      const Eigen::Vector3d x = mesh.Point(p);
+      const Eigen::Vector3d n = field.D1(p).cross(field.D2(p));
+      const Eigen::Vector3d moved = x + deviation * ridges::NormalNoise(x) * n;
+      points->SetPoint(p, moved.data());
+    }
+  };
+  if (!vtkRidgesForBatches(this->Filter, count, 0.42, 0.44, displace))
+  {
+    return false;
+  }
+  vtkNew<vtkPolyData> noisy;
+  noisy->SetPoints(points);
+  noisy->SetPolys(smoothed->GetPolys());
+  this->Silent = true;
+  vtkPolyData* again = this->Smooth(this->Noisy, noisy, 0.44, 0.6);
+  this->Silent = false;
+  vtkRidgesMongeArrays arrays;
+  if (!again || !arrays.FetchSecondOrder(again).empty())
+  {
+    return false;
+  }
+  floor = ridges::CurvatureDeviation(mesh, field, arrays.GetField());
+  return true;
+}
+
+bool vtkSalientRidges::vtkInternals::FindColor(ridges::Color color, const vtkRidgesSearch& search,
+  const vtkRidgesMongeInput& monge, const ridges::FoldRule& rule, double from,
+  std::vector<ridges::RidgeTrace>& found, std::vector<ridges::RidgeFolds>& folds)
+{
+  return search.Find(this->Filter, color, from, from + 0.05, found) &&
+    vtkRidgesMeasureFolds(this->Filter, from + 0.05, from + 0.15, monge.mesh.GetTriangles(),
+      monge.arrays.GetField(), rule, found, folds);
+}
+
+bool vtkSalientRidges::vtkInternals::FindLines(
+  vtkPolyData* marked, double floor, vtkPolyData* output)
+{
+  vtkRidgesMongeInput monge;
+  if (!monge.Fetch(this->Filter, marked, true))
+  {
+    return false;
+  }
+  const ridges::TriangleMesh& mesh = monge.mesh.GetTriangles();
+  const vtkRidgesUmbilicMarks umbilics(monge.mesh);
+  const vtkRidgesSearch search(monge.mesh, monge.arrays.GetField(), umbilics);
+  const double diameter = 2.0 * ridges::SmallestEnclosingSphere(mesh).radius;
+  const double scale = this->Filter->RelativeScale * diameter;
+  ridges::FoldRule folding;
+  folding.reach = Reach * scale;
+  folding.slack = scale;
+  folding.floor = this->Filter->NoiseFactor * floor;
+  ridges::SalientRule rule;
+  rule.angle = vtkMath::RadiansFromDegrees(this->Filter->FoldAngle);
+  rule.weakAngle = this->Filter->Hysteresis * rule.angle;
+  rule.longestGap = this->Filter->LongestGap * scale;
+  rule.leastMass = this->Filter->LeastMass * diameter * rule.angle;
+  rule.floor = folding.floor;
+  rule.crestOnly = this->Filter->CrestOnly;
+
+  std::array<std::vector<ridges::RidgeTrace>, 2> found;
+  std::array<std::vector<ridges::RidgeFolds>, 2> folds;
+  vtkRidgesSalientLines lines(mesh, diameter);
+  for (int i = 0; i < 2; ++i)
+  {
+    const ridges::Color color = i == 0 ? ridges::Color::Blue : ridges::Color::Red;
+    if (!this->FindColor(color, search, monge, folding, 0.7 + 0.15 * i, found[i], folds[i]))
+    {
+      return false;
+    }
+    lines.Add(found[i], folds[i], ridges::SelectSalient(found[i], folds[i], rule));
+  }
+  lines.Store(output);
+  return true;
+}
+
+vtkSalientRidges::vtkSalientRidges()
+  : Internals(new vtkInternals(this))
+{
+  this->SetNumberOfOutputPorts(2);
+}
+
+vtkSalientRidges::~vtkSalientRidges() = default;
+
+int vtkSalientRidges::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
+  vtkPolyData* output = vtkPolyData::GetData(outputVector, RIDGES);
+  vtkPolyData* mesh = vtkPolyData::GetData(outputVector, MESH);
+  if (input->GetNumberOfPoints() > 0 && input->GetNumberOfPolys() + input->GetNumberOfStrips() == 0)
+  {
+    vtkErrorMacro("The input has points, but no triangles: give the mesh of a surface.");
+    return 0;
+  }
+  vtkInternals& stages = *this->Internals;
+  stages.ErrorText.clear();
+
+  vtkNew<vtkPolyData> copy; // a pipeline of its own must not leave its marks on the input
+  copy->ShallowCopy(input);
+  vtkPolyData* smoothed = stages.Smooth(stages.Clean, copy, 0.0, 0.4);
+  double floor = 0.0;
+  const bool hasFloor = !smoothed || this->NoiseFactor == 0.0 ||
+    smoothed->GetNumberOfPoints() == 0 || stages.FindNoiseFloor(smoothed, floor);
+  vtkPolyData* marked =
+    smoothed && hasFloor ? stages.Run(stages.Umbilics, smoothed, 0.6, 0.7) : nullptr;
+  if (!stages.ErrorText.empty())
+  {
+    vtkErrorMacro(<< stages.ErrorText);
+    return 0;
+  }
+  if (!marked || !stages.FindLines(marked, floor, output))
+  {
+    return 1; // aborted
+  }
+  mesh->ShallowCopy(marked);
+  SetFieldValue(mesh, names::NoiseFloor, floor);
+  SetFieldValue(output, names::NoiseFloor, floor);
+  return 1;
+}
+
+void vtkSalientRidges::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "FoldAngle: " << this->FoldAngle << "\n";
+  os << indent << "RelativeScale: " << this->RelativeScale << "\n";
+  os << indent << "Hysteresis: " << this->Hysteresis << "\n";
+  os << indent << "LongestGap: " << this->LongestGap << "\n";
+  os << indent << "LeastMass: " << this->LeastMass << "\n";
+  os << indent << "CrestOnly: " << (this->CrestOnly ? "On\n" : "Off\n");
+  os << indent << "NoiseFactor: " << this->NoiseFactor << "\n";
+}

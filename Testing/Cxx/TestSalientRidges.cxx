@@ -1,0 +1,223 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkRidges contributors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "FilterTestTools.h"
+#include "MessageRecorder.h"
+
+#include "vtkCellData.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
+#include "vtkIdList.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkRidgesArrayNames.h"
+#include "vtkSMPTools.h"
+#include "vtkSalientRidges.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace ridges::testing;
+namespace names = vtkRidgesArrayNames;
+
+namespace
+{
+
+/// A roof beside a valley: crest at x = 0.5, valley at x = -0.5, both rounded and along y. The
+/// slope is 1.4 between them, and 0 at the other sides, so that they fold by 54 degrees.
+Mesh RoofAndValley(double noise = 0.0)
+{
+  const auto fold = [](double x) { return 0.7 * std::hypot(x, 0.05); };
+  return AddNormalNoise(
+    GraphPatch([&](double x, double) { return fold(x + 0.5) - fold(x - 0.5); }, 1.0, 80, 0.2),
+    noise, 1);
+}
+
+vtkSmartPointer<vtkSalientRidges> Find(vtkPolyData* mesh, double angle = 15.0)
+{
+  auto salient = vtkSmartPointer<vtkSalientRidges>::New();
+  salient->SetInputData(mesh);
+  salient->SetFoldAngle(angle);
+  salient->Update();
+  return salient;
+}
+
+double TotalLength(vtkPolyData* lines)
+{
+  double length = 0.0;
+  for (vtkIdType i = 0; i < lines->GetNumberOfLines(); ++i)
+  {
+    length += Value(lines->GetCellData(), names::Length, i);
+  }
+  return length;
+}
+
+} // namespace
+
+TEST(SalientRidges, FindsTheCrestAndTheValley)
+{
+  const auto salient = Find(ToPolyData(RoofAndValley()));
+  vtkPolyData* lines = salient->GetOutput();
+  ASSERT_EQ(lines->GetNumberOfLines(), 2);
+  int types = 0;
+  for (vtkIdType i = 0; i < 2; ++i)
+  {
+    const auto type = static_cast<int>(Value(lines->GetCellData(), names::RidgeType, i));
+    types += type;
+    // Curvature is positive where the surface bends towards its normal: valleys are maxima.
+    const double x = type == 1 ? -0.5 : 0.5;
+    vtkIdList* points = lines->GetCell(i)->GetPointIds();
+    for (vtkIdType j = 0; j < points->GetNumberOfIds(); ++j)
+    {
+      // Within the rounding: one side is level, the other steep, and curvature is greatest between.
+      EXPECT_NEAR(PointAt(lines, points->GetId(j))[0], x, 0.05);
+    }
+    EXPECT_GT(Value(lines->GetCellData(), names::Length, i), 1.8);
+    EXPECT_EQ(Value(lines->GetCellData(), names::Closed, i), 0.0);
+    EXPECT_GT(Value(lines->GetCellData(), names::Confidence, i), 0.99);
+    EXPECT_NEAR(
+      Value(lines->GetCellData(), names::FoldAngle, i), 54.5, 5.0); // less what is left at the foot
+  }
+  EXPECT_EQ(types, 1 + 3);
+}
+
+TEST(SalientRidges, DescribesItsLines)
+{
+  const auto salient = Find(ToPolyData(RoofAndValley()));
+  vtkPolyData* lines = salient->GetOutput();
+  const vtkIdType points = lines->GetNumberOfPoints();
+  for (const char* name : { names::Curvature, names::SecondDerivative, names::FoldAngle,
+         names::FoldWidth, names::ArcLength, names::EdgeParameter })
+  {
+    ExpectArray(lines->GetPointData(), name, VTK_DOUBLE, 1, points);
+  }
+  for (const char* name : { names::Sharpness, names::Strength, names::Length, names::FoldAngle,
+         names::FoldMass, names::Confidence })
+  {
+    ExpectArray(lines->GetCellData(), name, VTK_DOUBLE, 1, 2);
+  }
+  ExpectAllFinite(lines);
+  for (vtkIdType i = 0; i < 2; ++i)
+  {
+    vtkNew<vtkIdList> ids;
+    ids->DeepCopy(lines->GetCell(i)->GetPointIds());
+    const vtkIdType last = ids->GetNumberOfIds() - 1;
+    double arc = 0.0;
+    double largest = 0.0;
+    double mass = 0.0;
+    for (vtkIdType j = 0; j <= last; ++j)
+    {
+      const auto fold = [&](vtkIdType k)
+      { return Value(lines->GetPointData(), names::FoldAngle, ids->GetId(k)); };
+      if (j > 0)
+      {
+        const double piece =
+          (PointAt(lines, ids->GetId(j)) - PointAt(lines, ids->GetId(j - 1))).norm();
+        arc += piece;
+        mass += 0.5 * piece * (fold(j) + fold(j - 1));
+      }
+      EXPECT_NEAR(Value(lines->GetPointData(), names::ArcLength, ids->GetId(j)), arc, 1e-12);
+      largest = std::max(largest, fold(j));
+    }
+    EXPECT_NEAR(Value(lines->GetCellData(), names::Length, i), arc, 1e-12);
+    EXPECT_NEAR(Value(lines->GetCellData(), names::FoldAngle, i), largest, 1e-9);
+    // The corners of the patch are farthest from each other.
+    const double diameter = std::sqrt(8.0 + std::pow(2.0 * 0.7 * 0.5 * 2.0, 2));
+    EXPECT_NEAR(Value(lines->GetCellData(), names::FoldMass, i) * diameter, mass, 0.1 * mass);
+  }
+  EXPECT_GE(Value(lines->GetCellData(), names::FoldMass, 0),
+    Value(lines->GetCellData(), names::FoldMass, 1));
+  vtkPolyData* mesh = salient->GetOutput(vtkSalientRidges::MESH);
+  EXPECT_EQ(mesh->GetNumberOfPoints(), 81 * 81);
+  EXPECT_TRUE(mesh->GetPointData()->HasArray(names::FourthOrder));
+  EXPECT_TRUE(mesh->GetCellData()->HasArray(names::UmbilicPatch));
+  for (vtkPolyData* output : { lines, mesh })
+  {
+    ASSERT_NE(output->GetFieldData()->GetArray(names::NoiseFloor), nullptr);
+  }
+}
+
+TEST(SalientRidges, FoldAngleIsTheOneKnob)
+{
+  const auto mesh = ToPolyData(RoofAndValley());
+  EXPECT_EQ(Find(mesh, 50.0)->GetOutput()->GetNumberOfLines(), 2);
+  EXPECT_EQ(Find(mesh, 90.0)->GetOutput()->GetNumberOfLines(), 0);
+}
+
+TEST(SalientRidges, NoiseAddsNoLines)
+{
+  // A tenth of an edge, 0.025, which is nearly the scale: the two lines may be torn, but no more.
+  const auto salient = Find(ToPolyData(RoofAndValley(0.0025)));
+  vtkPolyData* lines = salient->GetOutput();
+  EXPECT_LE(lines->GetNumberOfLines(), 6);
+  EXPECT_NEAR(TotalLength(lines), 4.0, 0.6);
+  for (vtkIdType p = 0; p < lines->GetNumberOfPoints(); ++p)
+  {
+    EXPECT_NEAR(std::abs(PointAt(lines, p)[0]), 0.5, 0.1);
+  }
+  const double floor = Value(salient->GetOutput()->GetFieldData(), names::NoiseFloor, 0);
+  EXPECT_GT(floor, 0.05);
+  EXPECT_LT(floor, 2.0);
+}
+
+TEST(SalientRidges, SmoothSurfacesHaveNone)
+{
+  for (const double noise : { 0.0, 0.1 })
+  {
+    for (const Mesh& mesh :
+      { Icosphere(20), TorusMesh(2.0, 0.7, 90, 45), CylinderPatch(1.0, 5.0, 4.0, 60, 50),
+        GraphPatch([](double, double) { return 0.0; }, 1.0, 50, 0.2) })
+    {
+      const Mesh noisy = AddNormalNoise(mesh, noise * MeanEdgeLength(mesh), 3);
+      EXPECT_EQ(Find(ToPolyData(noisy))->GetOutput()->GetNumberOfLines(), 0);
+    }
+  }
+}
+
+TEST(SalientRidges, SameBytesForAnyThreadsAndNumbering)
+{
+  const Mesh mesh = RoofAndValley(0.0025);
+  vtkSMPTools::Initialize(1);
+  const auto one = Find(ToPolyData(mesh));
+  vtkSMPTools::Initialize(3);
+  const auto three = Find(ToPolyData(mesh));
+  vtkSMPTools::Initialize();
+  for (const int port : { 0, 1 })
+  {
+    EXPECT_EQ(FirstDifference(one->GetOutput(port), three->GetOutput(port)), "");
+  }
+  const auto permuted = Find(ToPolyData(Permute(mesh, 4)));
+  vtkPolyData* lines = one->GetOutput();
+  vtkPolyData* others = permuted->GetOutput();
+  ASSERT_EQ(others->GetNumberOfPoints(), lines->GetNumberOfPoints());
+  for (vtkIdType p = 0; p < lines->GetNumberOfPoints(); ++p)
+  {
+    ASSERT_EQ(PointAt(others, p), PointAt(lines, p));
+    ASSERT_EQ(Value(others->GetPointData(), names::FoldAngle, p),
+      Value(lines->GetPointData(), names::FoldAngle, p));
+  }
+}
+
+TEST(SalientRidges, RefusesPointsWithoutTriangles)
+{
+  vtkNew<vtkSalientRidges> salient;
+  MessageRecorder messages(salient);
+  salient->SetInputData(MakePolyData({ { 0.0, 0.0, 0.0 }, { 1.0, 0.0, 0.0 } }, {}));
+  salient->Update();
+  ASSERT_EQ(messages.NumberOfErrors(), 1u);
+  EXPECT_NE(messages.ErrorText().find("no triangles"), std::string::npos);
+  EXPECT_TRUE(IsEmpty(salient->GetOutput()));
+}
+
+TEST(SalientRidges, NothingComesOfNothing)
+{
+  vtkNew<vtkPolyData> empty;
+  vtkNew<vtkSalientRidges> salient;
+  MessageRecorder messages(salient);
+  salient->SetInputData(empty);
+  salient->Update();
+  EXPECT_EQ(messages.ErrorText(), "");
+  EXPECT_TRUE(IsEmpty(salient->GetOutput()));
+}
