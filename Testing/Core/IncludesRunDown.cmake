@@ -14,6 +14,7 @@ set(rooms
   Foliation
   Ridges
   Ridges/Patch
+  Salience
   Coherence)
 
 file(GLOB_RECURSE files RELATIVE "${DIRECTORY}" "${DIRECTORY}/*.h" "${DIRECTORY}/*.cxx")
