@@ -278,18 +278,38 @@ TEST(RepairMesh, JoinsBeforeItOrients)
 
 TEST(CoordinateGrain, WarnsWhereSinglePrecisionIsCoarseForTheEdges)
 {
-  PolygonMesh mesh = Ellipsoid(10); // Edges of about 0.1, at coordinates of up to 1.5.
-  EXPECT_EQ(program::WarnOfGrain(mesh), "");
+  PolygonMesh mesh = Ellipsoid(10); // Edges of about 0.1, at coordinates of up to 1.4.
+  EXPECT_EQ(program::WarnOfGrain(mesh).text, "");
   mesh.isSinglePrecision = true;
-  EXPECT_EQ(program::WarnOfGrain(mesh), "");
+  EXPECT_EQ(program::WarnOfGrain(mesh).text, "");
   for (PolygonMesh::Point& point : mesh.points)
   {
     point[0] += 758318.0;
   }
   // The spacing of 32-bit numbers from 2^19 to 2^20 is 2^-4.
-  EXPECT_NE(program::WarnOfGrain(mesh).find("0.062"), std::string::npos);
+  EXPECT_NE(program::WarnOfGrain(mesh).text.find("0.062"), std::string::npos);
+  EXPECT_NE(program::WarnOfGrain(mesh).advice.find("relative to a point"), std::string::npos);
   mesh.isSinglePrecision = false;
-  EXPECT_EQ(program::WarnOfGrain(mesh), "");
+  EXPECT_EQ(program::WarnOfGrain(mesh).text, "");
+}
+
+TEST(CoordinateGrain, WarnsOfFineMeshesNearTheOrigin)
+{
+  // Steps of 6e-8 at edges of 1e-3, a five-hundredth of the size.
+  PolygonMesh mesh;
+  for (int i = 0; i < 1000; ++i)
+  {
+    mesh.points.push_back({ 1e-3 * i, 0.0, 0.0 });
+    mesh.points.push_back({ 1e-3 * i, 1e-3, 0.0 });
+  }
+  for (vtkIdType i = 0; i + 3 < 2000; i += 2)
+  {
+    mesh.AddTriangle(i, i + 2, i + 1);
+    mesh.AddTriangle(i + 1, i + 2, i + 3);
+  }
+  mesh.isSinglePrecision = true;
+  EXPECT_NE(program::WarnOfGrain(mesh).text, "");
+  EXPECT_EQ(program::WarnOfGrain(mesh).advice.find("relative"), std::string::npos);
 }
 
 } // namespace

@@ -144,12 +144,10 @@ void WarnOfRepair(const MeshFile& file, const RepairReport& report, const Stages
         " whose coordinates are not finite, and are left out",
       "check the mesh");
   }
-  const std::string grain = WarnOfGrain(file.mesh);
-  if (!grain.empty())
+  const GrainWarning grain = WarnOfGrain(file.mesh);
+  if (!grain.text.empty())
   {
-    stages.Warn(grain,
-      "store the coordinates in double precision or nearer to the origin, or add --neighborhood "
-      "automatic");
+    stages.Warn(grain.text, grain.advice);
   }
 }
 

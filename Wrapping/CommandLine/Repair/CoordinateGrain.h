@@ -10,11 +10,15 @@
 namespace program
 {
 
-/**
- * A warning if coordinates that were stored in single precision are too coarse for the edges of the
- * mesh, or nothing. Then ridges show the rounding rather than the surface.
- */
-std::string WarnOfGrain(const PolygonMesh& mesh);
+struct GrainWarning
+{
+  std::string text; ///< Empty: all is well.
+  std::string advice;
+};
+
+/// A warning if coordinates that were stored in single precision are too coarse for the edges of
+/// the mesh. Then ridges show the rounding rather than the surface.
+GrainWarning WarnOfGrain(const PolygonMesh& mesh);
 
 } // namespace program
 
