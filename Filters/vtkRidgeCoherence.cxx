@@ -3,6 +3,7 @@
 #include "vtkRidgeCoherence.h"
 
 #include "Core/Coherence/CheckCoherence.h"
+#include "Core/Coherence/Severity.h"
 #include "vtkRidgesArrayNames.h"
 #include "vtkRidgesCheckText.h"
 #include "vtkRidgesPictureInput.h"
@@ -73,8 +74,8 @@ vtkNew<Array> AddColumn(vtkTable* table, const char* name, int components = 1)
   return array;
 }
 
-void Store(
-  const std::vector<ridges::CoherenceCheck>& checks, const vtkRidgesMesh& mesh, vtkTable* output)
+void Store(const std::vector<ridges::CoherenceCheck>& checks, const ridges::RidgePicture& picture,
+  const vtkRidgesMesh& mesh, vtkTable* output)
 {
   vtkNew<vtkTable> table;
   auto check = AddColumn<vtkStringArray>(table, names::Check);
@@ -83,6 +84,7 @@ void Store(
   auto found = AddColumn<vtkStringArray>(table, names::Found);
   auto applies = AddColumn<vtkIntArray>(table, names::Applies);
   auto passed = AddColumn<vtkIntArray>(table, names::Passed);
+  auto severity = AddColumn<vtkIntArray>(table, names::Severity);
   auto numberOfOffenders = AddColumn<vtkIdTypeArray>(table, names::NumberOfOffenders);
   auto kind = AddColumn<vtkStringArray>(table, names::OffenderKind);
   auto offenders = AddColumn<vtkStringArray>(table, names::Offenders);
@@ -96,6 +98,7 @@ void Store(
     found->InsertNextValue(text.found);
     applies->InsertNextValue(row.applies ? 1 : 0);
     passed->InsertNextValue(row.Passed() ? 1 : 0);
+    severity->InsertNextValue(static_cast<int>(ridges::SeverityOf(row, picture)));
     numberOfOffenders->InsertNextValue(static_cast<vtkIdType>(row.offenders.size()));
     kind->InsertNextValue(KindName(row.offenderKind));
     offenders->InsertNextValue(OffenderText(mesh, row));
@@ -141,8 +144,8 @@ int vtkRidgeCoherence::RequestData(
     return 0;
   }
   this->UpdateProgress(0.2);
-  Store(ridges::CheckCoherence(input.GetPicture(), this->RightAngleCosine), input.GetMesh(),
-    vtkTable::GetData(outputVector));
+  Store(ridges::CheckCoherence(input.GetPicture(), this->RightAngleCosine), input.GetPicture(),
+    input.GetMesh(), vtkTable::GetData(outputVector));
   return 1;
 }
 

@@ -22,6 +22,7 @@
  * | Expected, Found    | in words                                                             |
  * | Applies            | 0: there is nothing to check, such as the index sum of an open mesh  |
  * | Passed             | 1: nothing contradicts it, or it does not apply                      |
+ * | Severity           | 0: passed; 1: noise or a coarse mesh explain it; 2: it is wrong      |
  * | NumberOfOffenders  | number of what contradicts it                                        |
  * | OffenderKind       | what these are, as below                                             |
  * | Offenders          | ids of the first 20 of them; an edge is a pair of points: 17-42      |
@@ -53,6 +54,11 @@
  * filters. Right angles concern the mesh: it is too coarse, or the surface not generic enough, to
  * be sure about signs there. Patch contours show whether ridges and third-order forms agree about
  * an umbilic; if not, its patch may be too small or too large, or the mesh too coarse.
+ *
+ * A failed check is wrong (Severity 2) where the filters guarantee the rule on any mesh and with
+ * any noise: index sum, types at umbilics, ridge ends, turning points, double crossings, points on
+ * edges and crossings; also intersections, outside patches. The other rules compare independent
+ * estimates or need a fine mesh: noise makes them fail on a sound result (Severity 1).
  *
  * @warning
  * The checks need all ridges: ridges of one colour, crest lines alone, ridges by the Gaussian

@@ -108,6 +108,7 @@ constexpr const char* Expected = "Expected";
 constexpr const char* Found = "Found";
 constexpr const char* Applies = "Applies";
 constexpr const char* Passed = "Passed";
+constexpr const char* Severity = "Severity";
 constexpr const char* NumberOfOffenders = "NumberOfOffenders";
 constexpr const char* OffenderKind = "OffenderKind";
 constexpr const char* Offenders = "Offenders";

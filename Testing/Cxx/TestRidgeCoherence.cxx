@@ -55,7 +55,7 @@ TEST(RidgeCoherence, ReadsUmbilicsFromTheMeshToo)
 TEST(RidgeCoherence, ColumnsAreAsDocumented)
 {
   const auto table = Check(RunFilters(EllipsoidData(12)));
-  ASSERT_EQ(table->GetNumberOfColumns(), 10);
+  ASSERT_EQ(table->GetNumberOfColumns(), 11);
   for (const char* name : { names::Check, names::Section, names::Expected, names::Found,
          names::OffenderKind, names::Offenders })
   {
@@ -64,6 +64,7 @@ TEST(RidgeCoherence, ColumnsAreAsDocumented)
   const auto data = table->GetRowData();
   ExpectArray(data, names::Applies, VTK_INT, 1, 14);
   ExpectArray(data, names::Passed, VTK_INT, 1, 14);
+  ExpectArray(data, names::Severity, VTK_INT, 1, 14);
   ExpectArray(data, names::NumberOfOffenders, VTK_ID_TYPE, 1, 14);
   ExpectArray(data, names::OffenderPosition, VTK_DOUBLE, 3, 14);
 }

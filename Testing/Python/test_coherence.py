@@ -60,6 +60,7 @@ class TestCoherence(unittest.TestCase):
         coherence.Update()
         row = rows(coherence)["ridges at umbilics"]
         self.assertEqual((row["Passed"], row["OffenderKind"], row["Offenders"]), ("0", "umbilic", "3"))
+        self.assertEqual(row["Severity"], "1")
         positions = vtk_to_numpy(coherence.GetOutput().GetColumnByName("OffenderPosition"))
         self.assertEqual(tuple(positions[2]), umbilics.GetPoint(3))
 

@@ -16,25 +16,32 @@ namespace program
 namespace
 {
 
-bool HasFailed(vtkTable* checks, vtkIdType row)
+/// Values of the column Severity.
+constexpr int Passed = 0;
+constexpr int Wrong = 2;
+
+int SeverityOf(vtkTable* checks, vtkIdType row)
 {
-  return checks->GetValueByName(row, names::Passed).ToInt() == 0;
+  return checks->GetValueByName(row, names::Severity).ToInt();
 }
 
 void PrintCheck(std::ostream& os, vtkTable* checks, vtkIdType row)
 {
   constexpr int nameWidth = 24;
   constexpr int sectionWidth = 13;
-  constexpr int resultWidth = 8;
+  constexpr int resultWidth = 11;
   const auto text = [&](const char* column)
   { return std::string(checks->GetValueByName(row, column).ToString()); };
   const bool applies = checks->GetValueByName(row, names::Applies).ToInt() != 0;
-  const bool failed = HasFailed(checks, row);
-  const char* result = failed ? "failed" : (applies ? "passed" : "-");
+  const int severity = SeverityOf(checks, row);
+  const char* result = severity == Wrong ? "failed"
+    : severity != Passed                 ? "uncertain"
+    : applies                            ? "passed"
+                                         : "-";
   os << "  " << std::left << std::setw(nameWidth) << text(names::Check) << std::setw(sectionWidth)
      << text(names::Section) << std::setw(resultWidth) << result
      << (applies ? text(names::Found) : std::string("does not apply")) << "\n";
-  if (failed)
+  if (severity != Passed)
   {
     const std::string indent(2 + nameWidth + sectionWidth + resultWidth, ' ');
     const double* position =
@@ -49,10 +56,18 @@ void PrintCheck(std::ostream& os, vtkTable* checks, vtkIdType row)
 
 void PrintChecks(std::ostream& os, vtkTable* checks)
 {
-  os << "\nchecks                    section      result  found\n";
+  os << "\nchecks                    section      result     found\n";
+  bool isUncertain = false;
   for (vtkIdType row = 0; row < checks->GetNumberOfRows(); ++row)
   {
     PrintCheck(os, checks, row);
+    isUncertain =
+      isUncertain || (SeverityOf(checks, row) != Passed && SeverityOf(checks, row) != Wrong);
+  }
+  if (isUncertain)
+  {
+    os << "  uncertain: noise or a coarse mesh may be the cause, the result is consistent in "
+          "itself\n";
   }
 }
 
@@ -61,7 +76,7 @@ vtkIdType CountFailedChecks(vtkTable* checks)
   vtkIdType count = 0;
   for (vtkIdType row = 0; row < checks->GetNumberOfRows(); ++row)
   {
-    count += HasFailed(checks, row) ? 1 : 0;
+    count += SeverityOf(checks, row) == Wrong ? 1 : 0;
   }
   return count;
 }

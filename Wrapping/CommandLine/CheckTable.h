@@ -10,10 +10,11 @@
 namespace program
 {
 
-/// Prints the table of vtkRidgeCoherence, a line per check; a failed one has two more, with what
-/// was expected and with the place of its first offender.
+/// Prints the table of vtkRidgeCoherence, a line per check; one with offenders has two more, with
+/// what was expected and with the place of its first offender.
 void PrintChecks(std::ostream& os, vtkTable* checks);
 
+/// Number of checks whose offenders neither noise nor a coarse mesh explains.
 vtkIdType CountFailedChecks(vtkTable* checks);
 
 } // namespace program

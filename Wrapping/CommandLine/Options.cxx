@@ -306,7 +306,7 @@ void AddOutput(CLI::App& app, Options& options)
   group
     .Flag(
       "--strict", [&](bool on) { options.strict = on; },
-      "with --check: exit with code 3 if a check fails, after writing the files")
+      "with --check: exit with code 3 if a check fails that noise cannot explain")
     ->needs(check);
   group.Flag(
     "--no-picture", [&](bool on) { options.noPicture = on; },

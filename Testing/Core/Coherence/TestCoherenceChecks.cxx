@@ -6,6 +6,7 @@
 #include "Coherence/LostCrossings.h"
 #include "Coherence/PatchChecks.h"
 #include "Coherence/RidgeChecks.h"
+#include "Coherence/Severity.h"
 #include "Coherence/UmbilicChecks.h"
 #include "Fixtures/TestFields.h"
 #include "Ridges/Patch/PatchPaths.h"
@@ -213,6 +214,45 @@ TEST(CoherenceChecks, ChordsCrossWhereTheirEndsAlternate)
   EXPECT_TRUE(cross(0.4, 0.6, 0.6, 0.7));
   EXPECT_TRUE(cross(0.6, 0.4, 0.4, 0.3));
   EXPECT_FALSE(cross(0.4, 0.6, 0.4, 0.7)); // touching
+}
+
+TEST(CoherenceChecks, IntersectionsAreUncertainInsideRegionsOnly)
+{
+  Grid grid(2);
+  grid.AddLine(0, { grid.OnEdge(0, 1, 0.4), grid.OnEdge(1, 3, 0.6) });
+  const auto severity = [&grid]()
+  { return SeverityOf(CheckNoIntersections(grid.picture, grid.Ridges()), grid.picture); };
+  EXPECT_EQ(severity(), Severity::None);
+  grid.AddLine(1, { grid.OnEdge(0, 1, 0.6), grid.OnEdge(1, 3, 0.7) });
+  EXPECT_EQ(severity(), Severity::Wrong);
+  grid.picture.patchOf[0] = 3;
+  EXPECT_EQ(severity(), Severity::Uncertain);
+  grid.picture.patchOf[0] = -1;
+  grid.picture.cancelledIn[0] = 0;
+  EXPECT_EQ(severity(), Severity::Uncertain);
+}
+
+TEST(CoherenceChecks, OnlyRulesThatHoldWithAnyNoiseCanBeWrong)
+{
+  const Grid grid(2);
+  const auto severity = [&grid](CheckKind kind)
+  {
+    CoherenceCheck check(kind, OffenderKind::Triangle);
+    check.offenders.push_back({ { 0, -1 }, Eigen::Vector3d::Zero() });
+    return SeverityOf(check, grid.picture);
+  };
+  for (const CheckKind kind : { CheckKind::IndexSum, CheckKind::TypesAtUmbilics,
+         CheckKind::RidgeEnds, CheckKind::TurningPoints, CheckKind::Intersections,
+         CheckKind::DoubleCrossings, CheckKind::PointsOnEdges, CheckKind::Crossings })
+  {
+    EXPECT_EQ(severity(kind), Severity::Wrong) << static_cast<int>(kind);
+  }
+  for (const CheckKind kind :
+    { CheckKind::UmbilicsPerTriangle, CheckKind::RidgesAtUmbilics, CheckKind::Patches,
+      CheckKind::RidgesInPatches, CheckKind::PatchContours, CheckKind::RightAngles })
+  {
+    EXPECT_EQ(severity(kind), Severity::Uncertain) << static_cast<int>(kind);
+  }
 }
 
 TEST(CoherenceChecks, RidgesToAnUmbilicMayNotCrossOthers)
