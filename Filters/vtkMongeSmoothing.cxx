@@ -224,8 +224,10 @@ bool Smooth(const Task& task, SmoothedArrays& out)
   const ridges::SmoothingPlan plan(task.rings, task.scale, task.sigma);
   ridges::RingAveraging<Forms::Components> averaging(task.rings);
   if (!ForPoints(task.filter, count, 0.2, 0.25,
-        [&](Id p) { averaging.Set(p, Forms::ToSpace(field, p), usable[p] != 0); }) ||
-    !ForPoints(task.filter, count, 0.25, 0.3, [&](Id p) { averaging.Prepare(p, plan.Share(p)); }))
+        [&averaging, &field, &usable](Id p)
+        { averaging.Set(p, Forms::ToSpace(field, p), usable[p] != 0); }) ||
+    !ForPoints(task.filter, count, 0.25, 0.3,
+      [&averaging, &plan](Id p) { averaging.Prepare(p, plan.Share(p)); }))
   {
     return false;
   }
@@ -241,7 +243,7 @@ bool Smooth(const Task& task, SmoothedArrays& out)
     averaging.Swap();
   }
   return ForPoints(task.filter, count, 0.6, 0.7,
-    [&](Id p)
+    [&averaging, &task, &plan, &out](Id p)
     {
       typename ridges::RingAveraging<Forms::Components>::Values values;
       ridges::MongeForm form;
@@ -262,9 +264,9 @@ bool Differentiate(const Task& task, SmoothedArrays& out)
   const auto count = static_cast<vtkIdType>(task.rings.Mesh().NumberOfPoints());
   const ridges::FieldDerivatives derivatives(task.rings, out.View());
   return ForPoints(task.filter, count, 0.7, 0.85,
-           [&](Id p) { out.StoreThirdOrder(p, derivatives.ThirdOrder(p)); }) &&
+           [&out, &derivatives](Id p) { out.StoreThirdOrder(p, derivatives.ThirdOrder(p)); }) &&
     ForPoints(task.filter, count, 0.85, 1.0,
-      [&](Id p) { out.StoreFourthOrder(p, derivatives.FourthOrder(p)); });
+      [&out, &derivatives](Id p) { out.StoreFourthOrder(p, derivatives.FourthOrder(p)); });
 }
 
 } // namespace

@@ -201,7 +201,7 @@ bool vtkSalientRidges::vtkInternals::FindNoiseFloor(vtkPolyData* smoothed, doubl
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   points->SetNumberOfPoints(count);
-  const auto displace = [&](vtkIdType begin, vtkIdType end)
+  const auto displace = [&mesh, &field, &points, deviation](vtkIdType begin, vtkIdType end)
   {
     for (auto p = static_cast<Id>(begin); p < end; ++p)
     {

@@ -31,7 +31,7 @@ Mesh RoofAndValley(double noise = 0.0)
 {
   const auto fold = [](double x) { return 0.7 * std::hypot(x, 0.05); };
   return AddNormalNoise(
-    GraphPatch([&](double x, double) { return fold(x + 0.5) - fold(x - 0.5); }, 1.0, 80, 0.2),
+    GraphPatch([&fold](double x, double) { return fold(x + 0.5) - fold(x - 0.5); }, 1.0, 80, 0.2),
     noise, 1);
 }
 
@@ -109,7 +109,7 @@ TEST(SalientRidges, DescribesItsLines)
     double mass = 0.0;
     for (vtkIdType j = 0; j <= last; ++j)
     {
-      const auto fold = [&](vtkIdType k)
+      const auto fold = [lines, &ids](vtkIdType k)
       { return Value(lines->GetPointData(), names::FoldAngle, ids->GetId(k)); };
       if (j > 0)
       {

@@ -117,7 +117,7 @@ std::array<double, 4> FieldDerivatives::ThirdOrder(Id p) const
 {
   const MongeField& field = this->Field_;
   const TangentPlane plane(this->Rings_.Mesh(), field, p);
-  const auto valueAt = [&](Id q) -> SymmetricTensor<2>
+  const auto valueAt = [&field, &plane, p](Id q) -> SymmetricTensor<2>
   {
     const Eigen::Vector2d d1 = plane.Direction(q);
     const double gap = field.k1[q] - field.k2[q];
@@ -135,7 +135,7 @@ std::array<double, 5> FieldDerivatives::FourthOrder(Id p) const
   const MongeField& field = this->Field_;
   const TangentPlane plane(this->Rings_.Mesh(), field, p);
   const double* own = field.ThirdOrder(p);
-  const auto valueAt = [&](Id q)
+  const auto valueAt = [&field, &plane, own](Id q)
   {
     // The old axes in the new ones are d1 and d2; InBasis wants the new ones in the old.
     const Eigen::Vector2d d1 = plane.Direction(q);

@@ -44,7 +44,7 @@ void NoiseMeter::Measure(Span<Id> sample, std::vector<double>& heights) const
   JetBatchFiller batches(this->Mesh_, this->Rings_, degree);
   JetFitter fitter;
   Eigen::Matrix3Xd offsets;
-  const auto fitAll = [&]()
+  const auto fitAll = [&batches, &kernels, &heights]()
   {
     batches.Fit(kernels.front(),
       [&heights](const JetBatch& batch, Span<Id> vertices)
