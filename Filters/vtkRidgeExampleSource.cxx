@@ -3,6 +3,7 @@
 #include "vtkRidgeExampleSource.h"
 
 #include "Core/Formula/ExampleSurface.h"
+#include "vtkRidgesBatches.h"
 
 #include "vtkCellArray.h"
 #include "vtkDoubleArray.h"
@@ -14,6 +15,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 vtkStandardNewMacro(vtkRidgeExampleSource);
 
@@ -33,9 +35,24 @@ int vtkRidgeExampleSource::RequestData(
                                   << this->SemiAxes[2] << ": all three have to be positive.");
     return 0;
   }
-  const auto mesh = this->Surface == ELLIPSOID
+  int loops = 0;
+  const auto loop = [this, &loops](
+                      ridges::Id count, const std::function<void(ridges::Id, ridges::Id)>& body)
+  {
+    const auto share = [](int done)
+    { return static_cast<double>(done) / ridges::MeshSurfaceLoops; };
+    const auto run = [&body](vtkIdType begin, vtkIdType end)
+    { body(static_cast<ridges::Id>(begin), static_cast<ridges::Id>(end)); };
+    const double from = share(loops);
+    return vtkRidgesForBatches(this, count, from, share(++loops), run);
+  };
+  const ridges::PointsAndTriangles mesh = this->Surface == ELLIPSOID
     ? ridges::MeshEllipsoid(Eigen::Map<const Eigen::Vector3d>(this->SemiAxes), this->Frequency)
-    : ridges::MeshSurface(ridges::BlendSurface(), this->Frequency);
+    : ridges::MeshSurface(ridges::BlendSurface(), this->Frequency, loop);
+  if (mesh.points.cols() == 0)
+  {
+    return 1; // aborted
+  }
 
   vtkNew<vtkDoubleArray> coordinates;
   coordinates->SetNumberOfComponents(3);

@@ -5,10 +5,12 @@
 #include "FilterTestTools.h"
 #include "MessageRecorder.h"
 
+#include "vtkCallbackCommand.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkRidgeExampleSource.h"
+#include "vtkSMPTools.h"
 
 #include <gtest/gtest.h>
 
@@ -16,6 +18,8 @@
 #include <cmath>
 #include <limits>
 #include <sstream>
+#include <string>
+#include <vector>
 
 using namespace ridges::testing;
 
@@ -135,6 +139,61 @@ TEST(RidgeExampleSource, VerySmallAndVeryLargeSemiAxesAreFinite)
     ExpectAllFinite(source->GetOutput());
     EXPECT_GT(SmallestAngle(ToMesh(source->GetOutput())), 0.25) << scale;
   }
+}
+
+TEST(RidgeExampleSource, GivesTheSameBytesForAnyNumberOfThreads)
+{
+  std::string expected;
+  for (const int threads : { 1, 2, 3 })
+  {
+    vtkSMPTools::LocalScope(vtkSMPTools::Config{ threads, "STDThread", false },
+      [&expected]
+      {
+        const std::string bytes = BytesOf(BlendData(16));
+        expected = expected.empty() ? bytes : expected;
+        EXPECT_TRUE(bytes == expected);
+      });
+  }
+}
+
+TEST(RidgeExampleSource, ReportsProgressAndStopsWhenAborted)
+{
+  struct Watch
+  {
+    std::vector<double> reported;
+    double abortAt = 2.0;
+  } watch;
+  vtkNew<vtkCallbackCommand> command;
+  command->SetClientData(&watch);
+  command->SetCallback(
+    [](vtkObject* caller, unsigned long, void* data, void*)
+    {
+      auto* source = static_cast<vtkAlgorithm*>(caller);
+      auto* seen = static_cast<Watch*>(data);
+      seen->reported.push_back(source->GetProgress());
+      source->SetAbortExecute(source->GetProgress() >= seen->abortAt ? 1 : 0);
+    });
+  vtkNew<vtkRidgeExampleSource> source;
+  source->AddObserver(vtkCommand::ProgressEvent, command);
+  source->SetFrequency(8);
+  source->Update();
+  EXPECT_GT(watch.reported.size(), 100u);
+  EXPECT_TRUE(std::is_sorted(watch.reported.begin(), watch.reported.end()));
+  EXPECT_EQ(watch.reported.back(), 1.0);
+  const std::string whole = BytesOf(source->GetOutput());
+
+  watch = { {}, 0.5 };
+  source->Modified();
+  source->Update();
+  EXPECT_TRUE(IsEmpty(source->GetOutput()));
+  EXPECT_EQ(std::count_if(watch.reported.begin(), watch.reported.end(),
+              [](double progress) { return progress >= 0.5 && progress < 1.0; }),
+    1);
+  watch.abortAt = 2.0;
+  source->SetAbortExecute(0);
+  source->Modified();
+  source->Update();
+  EXPECT_TRUE(BytesOf(source->GetOutput()) == whole);
 }
 
 TEST(RidgeExampleSource, SettersClampAndAllIsPrinted)

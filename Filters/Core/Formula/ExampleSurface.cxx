@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cmath>
+#include <numeric>
 
 namespace ridges
 {
@@ -112,6 +113,69 @@ Eigen::Vector3d CastRay(const ImplicitSurface& surface, const Eigen::Vector3d& d
   return surface.Project(center + outside * direction);
 }
 
+/// The triangles around each point, in ascending order.
+class TrianglesOfPoints
+{
+public:
+  TrianglesOfPoints(Id numberOfPoints, const std::vector<Triangle>& triangles)
+    : Triangles_(triangles)
+    , Offsets_(static_cast<std::size_t>(numberOfPoints) + 1, 0)
+    , Incident_(3 * triangles.size())
+  {
+    for (const Triangle& corners : triangles)
+    {
+      for (const Id p : corners)
+      {
+        ++this->Offsets_[p + 1];
+      }
+    }
+    std::partial_sum(this->Offsets_.begin(), this->Offsets_.end(), this->Offsets_.begin());
+    std::vector<Id> next(this->Offsets_.begin(), this->Offsets_.end() - 1);
+    for (std::size_t t = 0; t < triangles.size(); ++t)
+    {
+      for (const Id p : triangles[t])
+      {
+        this->Incident_[next[p]++] = static_cast<Id>(t);
+      }
+    }
+  }
+
+  /// Weighted by area: if points move there, large triangles shrink.
+  Eigen::Vector3d MeanCentroid(Id p, const Eigen::Matrix3Xd& points) const
+  {
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    double weight = 0.0;
+    for (Id i = this->Offsets_[p]; i < this->Offsets_[p + 1]; ++i)
+    {
+      const Triangle& c = this->Triangles_[this->Incident_[i]];
+      const Eigen::Vector3d centroid =
+        (points.col(c[0]) + points.col(c[1]) + points.col(c[2])) / 3.0;
+      const Eigen::Vector3d e1 = points.col(c[1]) - points.col(c[0]);
+      const Eigen::Vector3d e2 = points.col(c[2]) - points.col(c[0]);
+      const double area = e1.cross(e2).norm();
+      sum += area * centroid;
+      weight += area;
+    }
+    return sum / weight;
+  }
+
+private:
+  const std::vector<Triangle>& Triangles_;
+  std::vector<Id> Offsets_;
+  std::vector<Id> Incident_;
+};
+
+/// The point of the surface nearest to one that is not far from it.
+Eigen::Vector3d Nearest(const ImplicitSurface& surface, const Eigen::Vector3d& target)
+{
+  const Eigen::Vector3d projected = surface.Project(target);
+  // On a coarse mesh the mean may be too far from the surface for Newton's method.
+  const bool near = (projected - target).norm() < 0.1 * (target - surface.Center()).norm();
+  return near ? projected : CastRay(surface, (target - surface.Center()).normalized());
+}
+
+static_assert(MeshSurfaceLoops == 1 + 2 * SmoothingSteps, "one to cast, two for each step");
+
 } // namespace
 
 Eigen::Vector3d ImplicitSurface::Project(Eigen::Vector3d x) const
@@ -193,45 +257,41 @@ PointsAndTriangles GeodesicSphere(int frequency)
   return mesh;
 }
 
-PointsAndTriangles MeshSurface(const ImplicitSurface& surface, int frequency)
+PointsAndTriangles MeshSurface(
+  const ImplicitSurface& surface, int frequency, const StoppableLoop& loop)
 {
   PointsAndTriangles result = GeodesicSphere(frequency);
   Eigen::Matrix3Xd& points = result.points;
-  for (Eigen::Index p = 0; p < points.cols(); ++p)
+  const auto count = static_cast<Id>(points.cols());
+  const TrianglesOfPoints around(count, result.triangles);
+  Eigen::Matrix3Xd targets(3, points.cols());
+  const auto cast = [&surface, &points](Id begin, Id end)
   {
-    points.col(p) = CastRay(surface, points.col(p));
-  }
-
-  Eigen::Matrix3Xd sums(3, points.cols());
-  Eigen::VectorXd weights(points.cols());
-  for (int step = 0; step < SmoothingSteps; ++step)
+    for (Id p = begin; p < end; ++p)
+    {
+      points.col(p) = CastRay(surface, points.col(p));
+    }
+  };
+  const auto aim = [&around, &points, &targets](Id begin, Id end)
   {
-    // Each point to the area-weighted mean of the centroids around it: large triangles shrink.
-    sums.setZero();
-    weights.setZero();
-    for (const Triangle& c : result.triangles)
+    for (Id p = begin; p < end; ++p)
     {
-      const Eigen::Vector3d centroid =
-        (points.col(c[0]) + points.col(c[1]) + points.col(c[2])) / 3.0;
-      const Eigen::Vector3d e1 = points.col(c[1]) - points.col(c[0]);
-      const Eigen::Vector3d e2 = points.col(c[2]) - points.col(c[0]);
-      const double area = e1.cross(e2).norm();
-      for (const Id p : c)
-      {
-        sums.col(p) += area * centroid;
-        weights[p] += area;
-      }
+      targets.col(p) = around.MeanCentroid(p, points);
     }
-    for (Eigen::Index p = 0; p < points.cols(); ++p)
+  };
+  const auto move = [&surface, &points, &targets](Id begin, Id end)
+  {
+    for (Id p = begin; p < end; ++p)
     {
-      const Eigen::Vector3d target = sums.col(p) / weights[p];
-      const Eigen::Vector3d projected = surface.Project(target);
-      // On a coarse mesh the mean may be too far from the surface for Newton's method.
-      const bool near = (projected - target).norm() < 0.1 * (target - surface.Center()).norm();
-      points.col(p) = near ? projected : CastRay(surface, (target - surface.Center()).normalized());
+      points.col(p) = Nearest(surface, targets.col(p));
     }
+  };
+  bool goesOn = loop(count, cast);
+  for (int step = 0; goesOn && step < SmoothingSteps; ++step)
+  {
+    goesOn = loop(count, aim) && loop(count, move);
   }
-  return result;
+  return goesOn ? result : PointsAndTriangles();
 }
 
 PointsAndTriangles MeshEllipsoid(const Eigen::Vector3d& semiAxes, int frequency)

@@ -9,6 +9,8 @@
 
 #include <vector>
 
+#include <functional>
+
 namespace ridges
 {
 
@@ -65,11 +67,27 @@ struct PointsAndTriangles
  */
 PointsAndTriangles GeodesicSphere(int frequency);
 
+/// Runs body(begin, end) over ranges that make up [0, count), maybe at the same time. False to
+/// stop.
+using StoppableLoop = std::function<bool(Id count, const std::function<void(Id, Id)>& body)>;
+
+/// The loop of callers that have no threads to lend.
+inline bool LoopAtOnce(Id count, const std::function<void(Id, Id)>& body)
+{
+  body(0, count);
+  return true;
+}
+
+/// How often MeshSurface runs a loop.
+constexpr int MeshSurfaceLoops = 121;
+
 /**
  * A mesh with its points on the surface: a geodesic sphere cast along the rays from the inner
- * point, then smoothed along the surface, so that triangles are of even size and shape.
+ * point, then smoothed along the surface, so that triangles are of even size and shape. The same
+ * for any loop; without points if the loop was stopped.
  */
-PointsAndTriangles MeshSurface(const ImplicitSurface& surface, int frequency);
+PointsAndTriangles MeshSurface(
+  const ImplicitSurface& surface, int frequency, const StoppableLoop& loop = LoopAtOnce);
 
 /// A geodesic sphere stretched: its triangles are smaller where the ellipsoid is more curved.
 PointsAndTriangles MeshEllipsoid(const Eigen::Vector3d& semiAxes, int frequency);
