@@ -5,7 +5,9 @@
 #include "Core/Foliation/PrincipalFoliation.h"
 #include "Core/Mesh/EnclosingSphere.h"
 #include "vtkRidgesArrayNames.h"
+#include "vtkRidgesCompatibility.h"
 #include "vtkRidgesMongeInput.h"
+#include "vtkRidgesRequest.h"
 #include "vtkRidgesUmbilicInput.h"
 
 #include "vtkCellArray.h"
@@ -21,8 +23,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <string>
-#include <utility>
 #include <vector>
 
 namespace names = vtkRidgesArrayNames;
@@ -115,23 +115,18 @@ private:
 int vtkPrincipalFoliation::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
+  vtkPolyData* input = vtkRidgesGetPolyData(this, inputVector[0]);
+  if (!input)
+  {
+    return 0;
+  }
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
 
-  std::string notNumbers;
-  for (const auto& [name, value] : { std::pair<const char*, double>("Separation", this->Separation),
-         { "LeastDistance", this->LeastDistance }, { "MinimumLength", this->MinimumLength },
-         { "MaximumLength", this->MaximumLength }, { "StepSize", this->StepSize },
-         { "ModelSize", this->ModelSize } })
+  if (!vtkRidgesAreNumbers(this,
+        { { "Separation", this->Separation }, { "LeastDistance", this->LeastDistance },
+          { "MinimumLength", this->MinimumLength }, { "MaximumLength", this->MaximumLength },
+          { "StepSize", this->StepSize }, { "ModelSize", this->ModelSize } }))
   {
-    if (std::isnan(value))
-    {
-      notNumbers += (notNumbers.empty() ? "" : ", ") + std::string(name);
-    }
-  }
-  if (!notNumbers.empty())
-  {
-    vtkErrorMacro("These properties are not numbers: " << notNumbers << ".");
     return 0;
   }
   vtkRidgesMongeInput monge;
@@ -170,10 +165,10 @@ int vtkPrincipalFoliation::RequestData(
     const double share = this->Direction == BOTH ? 0.475 : 0.95;
     const double from = this->Direction == BOTH && direction == MINIMUM ? 0.525 : 0.05;
     ridges::PrincipalFoliation foliation(triangles, monge.arrays.GetField(), rule, closed);
-    const auto monitor = [&](double done)
+    const auto monitor = [this, from, share](double done)
     {
       this->UpdateProgress(from + share * done);
-      return this->GetAbortExecute() == 0;
+      return !vtkRidgesCompatibility::IsAborted(this);
     };
     if (!foliation.Trace(monitor))
     {

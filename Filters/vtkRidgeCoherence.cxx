@@ -7,6 +7,7 @@
 #include "vtkRidgesArrayNames.h"
 #include "vtkRidgesCheckText.h"
 #include "vtkRidgesPictureInput.h"
+#include "vtkRidgesRequest.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkIdTypeArray.h"
@@ -19,7 +20,6 @@
 #include "vtkStringArray.h"
 #include "vtkTable.h"
 
-#include <cmath>
 #include <string>
 
 namespace names = vtkRidgesArrayNames;
@@ -129,9 +129,8 @@ int vtkRidgeCoherence::FillInputPortInformation(int port, vtkInformation* info)
 int vtkRidgeCoherence::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  if (std::isnan(this->RightAngleCosine))
+  if (!vtkRidgesAreNumbers(this, { { "RightAngleCosine", this->RightAngleCosine } }))
   {
-    vtkErrorMacro("RightAngleCosine is not a number.");
     return 0;
   }
   vtkRidgesPictureInput input;

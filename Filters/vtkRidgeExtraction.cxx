@@ -11,6 +11,7 @@
 #include "vtkRidgesCollect.h"
 #include "vtkRidgesMongeInput.h"
 #include "vtkRidgesPolylines.h"
+#include "vtkRidgesRequest.h"
 #include "vtkRidgesSearch.h"
 #include "vtkRidgesUmbilicMarks.h"
 
@@ -51,7 +52,7 @@ std::vector<Eigen::Vector3d> UmbilicPositions(const vtkRidgesUmbilicMarks& umbil
   }
   std::vector<Eigen::Vector3d> positions;
   for (const ridges::Id t : vtkRidgesWhere(mesh.NumberOfTriangles(),
-         [&](ridges::Id i) { return !ridges::IsRegular(mesh, field, i); }))
+         [&mesh, &field](ridges::Id i) { return !ridges::IsRegular(mesh, field, i); }))
   {
     positions.push_back(ridges::UmbilicInTriangle(mesh, field, t));
   }
@@ -96,9 +97,20 @@ vtkRidgeExtraction::vtkRidgeExtraction()
 int vtkRidgeExtraction::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
+  vtkPolyData* input = vtkRidgesGetPolyData(this, inputVector[0]);
+  if (!input)
+  {
+    return 0;
+  }
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
 
+  if (!vtkRidgesAreNumbers(this,
+        { { "LoopSignificance", this->LoopSignificance },
+          { "TypeHysteresis", this->TypeHysteresis }, { "ModelSize", this->ModelSize },
+          { "UmbilicCutOff", this->UmbilicCutOff } }))
+  {
+    return 0;
+  }
   vtkRidgesMongeInput monge;
   if (!monge.Fetch(this, input, this->TypeRule == FOURTH_ORDER))
   {
@@ -114,7 +126,7 @@ int vtkRidgeExtraction::RequestData(
   const vtkRidgesUmbilicMarks umbilics(mesh);
   const ridges::UmbilicCutOff cutOff(
     UmbilicPositions(umbilics, triangles, field), this->UmbilicCutOff * modelSize);
-  vtkRidgesSearch search(mesh, field, umbilics);
+  vtkRidgesSearch search(monge, umbilics);
   search.SetCrossingRule(
     this->CrossingRule == FORM ? ridges::CrossingRule::Form : ridges::CrossingRule::Linear);
   search.SetTypeRule(

@@ -4,10 +4,11 @@
 
 #include "vtkRidgeExtraction.h"
 #include "vtkRidgesArrayNames.h"
+#include "vtkRidgesArrayReader.h"
+#include "vtkRidgesRequest.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
-#include "vtkDataArray.h"
 #include "vtkFieldData.h"
 #include "vtkIdList.h"
 #include "vtkInformation.h"
@@ -101,37 +102,50 @@ bool vtkRidgeSharpnessFilter::KeepsType(int type) const
 int vtkRidgeSharpnessFilter::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
+  vtkPolyData* input = vtkRidgesGetPolyData(this, inputVector[0]);
+  if (!input)
+  {
+    return 0;
+  }
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
 
+  if (!vtkRidgesAreNumbers(this,
+        { { "MinimumSharpness", this->MinimumSharpness },
+          { "MinimumStrength", this->MinimumStrength }, { "MinimumLength", this->MinimumLength } }))
+  {
+    return 0;
+  }
+  if (input->GetNumberOfCells() == 0)
+  {
+    return 1;
+  }
+  using Reader = vtkRidgesArrayReader;
+  Reader reader;
+  const Reader::Source cells{ input->GetCellData(), input->GetNumberOfCells(),
+    "the cell data of the lines" };
+  const vtkIdType* type = reader.Ids(cells, names::RidgeType, 0, 5);
+  const vtkIdType* crest = this->CrestOnly ? reader.Ids(cells, names::Crest, 0, 2) : nullptr;
   struct Threshold
   {
     const char* name;
     double minimum;
-    vtkDataArray* values;
+    const double* values;
   };
   Threshold thresholds[] = { { names::Sharpness, this->MinimumSharpness, nullptr },
     { names::Strength, this->MinimumStrength, nullptr },
     { names::Length, this->MinimumLength, nullptr } };
-  std::string missing;
-  const auto fetch = [&](const char* name)
-  {
-    vtkDataArray* array = input->GetCellData()->GetArray(name);
-    if (!array)
-    {
-      missing += (missing.empty() ? "" : ", ") + std::string(name);
-    }
-    return array;
-  };
-  vtkDataArray* type = fetch(names::RidgeType);
-  vtkDataArray* crest = this->CrestOnly ? fetch(names::Crest) : nullptr;
   for (Threshold& threshold : thresholds)
   {
-    threshold.values = threshold.minimum > 0.0 ? fetch(threshold.name) : nullptr;
+    if (threshold.minimum > 0.0)
+    {
+      threshold.values = reader.FiniteDoubles(cells, threshold.name);
+    }
   }
-  if (input->GetNumberOfCells() > 0 && !missing.empty())
+  reader.CheckLines(input);
+  const std::string faults = reader.GetFaults();
+  if (!faults.empty())
   {
-    vtkErrorMacro("The lines lack cell arrays that vtkRidgeExtraction makes: " << missing << ".");
+    vtkErrorMacro("The input is not an output of vtkRidgeExtraction: " << faults << ".");
     return 0;
   }
 
@@ -139,12 +153,10 @@ int vtkRidgeSharpnessFilter::RequestData(
   for (vtkIdType line = 0; line < input->GetNumberOfLines(); ++line)
   {
     const vtkIdType cell = input->GetNumberOfVerts() + line;
-    bool keeps = this->KeepsType(static_cast<int>(type->GetComponent(cell, 0))) &&
-      (!crest || crest->GetComponent(cell, 0) != 0.0);
+    bool keeps = this->KeepsType(static_cast<int>(type[cell])) && (!crest || crest[cell] != 0);
     for (const Threshold& threshold : thresholds)
     {
-      keeps = keeps &&
-        (!threshold.values || threshold.values->GetComponent(cell, 0) >= threshold.minimum);
+      keeps = keeps && (!threshold.values || threshold.values[cell] >= threshold.minimum);
     }
     if (keeps)
     {

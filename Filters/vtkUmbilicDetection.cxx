@@ -7,6 +7,7 @@
 #include "vtkRidgesCollect.h"
 #include "vtkRidgesIndexSearch.h"
 #include "vtkRidgesMongeInput.h"
+#include "vtkRidgesRequest.h"
 #include "vtkRidgesUmbilicOutput.h"
 
 #include "vtkInformation.h"
@@ -14,7 +15,6 @@
 #include "vtkPolyData.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <utility>
 #include <vector>
@@ -36,71 +36,36 @@ bool IsClosed(const ridges::TriangleMesh& mesh)
   return true;
 }
 
-} // namespace
-
-vtkUmbilicDetection::vtkUmbilicDetection()
-{
-  this->SetNumberOfOutputPorts(2);
-}
-
-int vtkUmbilicDetection::RequestData(
-  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
-{
-  vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
-  vtkPolyData* markedMesh = vtkPolyData::GetData(outputVector, 0);
-  vtkPolyData* vertices = vtkPolyData::GetData(outputVector, 1);
-
-  if (std::isnan(this->PatchSize) || std::isnan(this->Significance))
-  {
-    vtkErrorMacro(<< (std::isnan(this->PatchSize) ? "PatchSize" : "Significance")
-                  << " is not a number.");
-    return 0;
-  }
-  const bool byIndices = this->Method == INDICES;
-  vtkRidgesMongeInput monge;
-  if (!monge.Fetch(this, input, false,
-        byIndices ? vtkRidgesMongeInput::Unusable::Kept : vtkRidgesMongeInput::Unusable::LeftOut))
-  {
-    return 0;
-  }
-  vtkRidgesUmbilicOutput found;
-  if (!(byIndices ? this->FindByIndices(monge, found) : this->FindMinima(monge, found)))
-  {
-    return 1;
-  }
-  found.MarkOnMesh(monge.mesh, markedMesh);
-  found.StoreVertices(monge.mesh, vertices);
-  return 1;
-}
-
-bool vtkUmbilicDetection::FindByIndices(
-  const vtkRidgesMongeInput& monge, vtkRidgesUmbilicOutput& found)
+/// By the index of every triangle. False if the user aborted the filter.
+bool FindByIndices(
+  vtkUmbilicDetection* filter, const vtkRidgesMongeInput& monge, vtkRidgesUmbilicOutput& found)
 {
   const ridges::TriangleMesh& mesh = monge.mesh.GetTriangles();
-  vtkRidgesIndexSearch search(mesh, monge, this->Significance);
-  if (!search.Run(this, false, 0.1, 0.6))
+  vtkRidgesIndexSearch search(mesh, monge, filter->GetSignificance());
+  if (!search.Run(filter, false, 0.1, 0.6))
   {
     return false;
   }
   if (search.HalfTurns() == 2 * mesh.EulerCharacteristic() || !IsClosed(mesh))
   {
-    search.Gather(this->PatchSize, found);
+    search.Gather(filter->GetPatchSize(), found);
     return true;
   }
   // The theorem is about oriented surfaces, and the test that spares most triangles is a rule of
   // thumb.
   const ridges::TriangleMesh oriented = mesh.ConsistentlyOriented();
-  vtkRidgesIndexSearch certain(oriented, monge, this->Significance);
-  if (!certain.Run(this, true, 0.6, 0.9))
+  vtkRidgesIndexSearch certain(oriented, monge, filter->GetSignificance());
+  if (!certain.Run(filter, true, 0.6, 0.9))
   {
     return false;
   }
-  certain.Gather(this->PatchSize, found);
+  certain.Gather(filter->GetPatchSize(), found);
   return true;
 }
 
-bool vtkUmbilicDetection::FindMinima(
-  const vtkRidgesMongeInput& monge, vtkRidgesUmbilicOutput& found)
+/// By the minima of k1 - k2. False if the user aborted the filter.
+bool FindMinima(
+  vtkUmbilicDetection* filter, const vtkRidgesMongeInput& monge, vtkRidgesUmbilicOutput& found)
 {
   const ridges::TriangleMesh& mesh = monge.mesh.GetTriangles();
   const ridges::MongeField& field = monge.arrays.GetField();
@@ -113,19 +78,59 @@ bool vtkUmbilicDetection::FindMinima(
         ridges::MinimizesGapInOneRing(mesh, field, static_cast<ridges::Id>(t)) ? 1 : 0;
     }
   };
-  if (!vtkRidgesForBatches(this, mesh.NumberOfTriangles(), 0.1, 0.9, compareWithNeighbors))
+  if (!vtkRidgesForBatches(filter, mesh.NumberOfTriangles(), 0.1, 0.9, compareWithNeighbors))
   {
     return false;
   }
   std::vector<ridges::Id> candidates = vtkRidgesWhere(
     mesh.NumberOfTriangles(), [&isSmallest](ridges::Id t) { return isSmallest[t] != 0; });
   // Few are left, so that their patches can be grown on one thread.
-  ridges::GapMinima minima(mesh, field, this->PatchSize);
+  ridges::GapMinima minima(mesh, field, filter->GetPatchSize());
   candidates.erase(std::remove_if(candidates.begin(), candidates.end(),
                      [&minima](ridges::Id t) { return !minima.Minimizes(t); }),
     candidates.end());
   found.umbilics = minima.Select(std::move(candidates));
   return true;
+}
+
+} // namespace
+
+vtkUmbilicDetection::vtkUmbilicDetection()
+{
+  this->SetNumberOfOutputPorts(2);
+}
+
+int vtkUmbilicDetection::RequestData(
+  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkPolyData* input = vtkRidgesGetPolyData(this, inputVector[0]);
+  if (!input)
+  {
+    return 0;
+  }
+  vtkPolyData* markedMesh = vtkPolyData::GetData(outputVector, 0);
+  vtkPolyData* vertices = vtkPolyData::GetData(outputVector, 1);
+
+  if (!vtkRidgesAreNumbers(
+        this, { { "PatchSize", this->PatchSize }, { "Significance", this->Significance } }))
+  {
+    return 0;
+  }
+  const bool byIndices = this->Method == INDICES;
+  vtkRidgesMongeInput monge;
+  if (!monge.Fetch(this, input, false,
+        byIndices ? vtkRidgesMongeInput::Unusable::Kept : vtkRidgesMongeInput::Unusable::LeftOut))
+  {
+    return 0;
+  }
+  vtkRidgesUmbilicOutput found;
+  if (!(byIndices ? FindByIndices(this, monge, found) : FindMinima(this, monge, found)))
+  {
+    return 1;
+  }
+  found.MarkOnMesh(monge.mesh, markedMesh);
+  found.StoreVertices(monge.mesh, vertices);
+  return 1;
 }
 
 void vtkUmbilicDetection::PrintSelf(ostream& os, vtkIndent indent)

@@ -77,9 +77,6 @@
 #include "vtkFiltersRidgesModule.h" // For export macro
 #include "vtkPolyDataAlgorithm.h"
 
-class vtkRidgesMongeInput;
-class vtkRidgesUmbilicOutput;
-
 class VTKFILTERSRIDGES_EXPORT vtkUmbilicDetection : public vtkPolyDataAlgorithm
 {
 public:
@@ -139,9 +136,6 @@ protected:
   double PatchSize = 2.0;
 
 private:
-  bool FindByIndices(const vtkRidgesMongeInput& monge, vtkRidgesUmbilicOutput& found);
-  bool FindMinima(const vtkRidgesMongeInput& monge, vtkRidgesUmbilicOutput& found);
-
   vtkUmbilicDetection(const vtkUmbilicDetection&) = delete;
   void operator=(const vtkUmbilicDetection&) = delete;
 };

@@ -3,7 +3,8 @@
 #ifndef vtkRidgesBatches_h
 #define vtkRidgesBatches_h
 
-#include "vtkAlgorithm.h"
+#include "vtkRidgesCompatibility.h"
+
 #include "vtkSMPTools.h"
 
 #include <algorithm>
@@ -15,8 +16,6 @@
  *
  * Threads wait for each other at the end of a batch, so it should be as long as `batch` items of
  * the slowest kind may keep a user who aborts waiting: some tenths of a second.
- *
- * AbortExecute is what VTK 9.1 has; CheckAbort came with 9.2.
  */
 template <typename Body>
 bool vtkRidgesForBatches(vtkAlgorithm* algorithm, vtkIdType count, double from, double to,
@@ -27,7 +26,7 @@ bool vtkRidgesForBatches(vtkAlgorithm* algorithm, vtkIdType count, double from, 
     const vtkIdType end = std::min(begin + batch, count);
     vtkSMPTools::For(begin, end, body);
     algorithm->UpdateProgress(from + (to - from) * static_cast<double>(end) / count);
-    if (algorithm->GetAbortExecute())
+    if (vtkRidgesCompatibility::IsAborted(algorithm))
     {
       return false;
     }

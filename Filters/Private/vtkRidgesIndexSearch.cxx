@@ -10,7 +10,6 @@
 #include "Core/Umbilics/WeakZones.h"
 #include "vtkRidgesBatches.h"
 #include "vtkRidgesCollect.h"
-#include "vtkRidgesFitErrors.h"
 #include "vtkRidgesMongeInput.h"
 #include "vtkRidgesRangeLoop.h"
 #include "vtkRidgesUmbilicOutput.h"
@@ -153,7 +152,7 @@ bool vtkRidgesIndexSearch::Run(vtkAlgorithm* filter, bool all, double from, doub
 {
   const ridges::MongeField& field = this->Monge.arrays.GetField();
   const ridges::DirectionIndex index(this->Mesh, field, this->Usable);
-  const ridges::FitErrorSource errors = vtkRidgesFetchFitErrors(this->Monge.mesh.GetPolyData());
+  const ridges::FitErrorSource& errors = this->Monge.arrays.GetErrors();
   LookAtPoints points(this->Mesh, field, errors, this->Significance);
   LookAtTriangles triangles(field, index, points, this->Significance);
   triangles.all = all;

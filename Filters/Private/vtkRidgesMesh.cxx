@@ -3,10 +3,14 @@
 #include "vtkRidgesMesh.h"
 
 #include "Core/Base/Finite.h"
+#include "vtkRidgesArrayReader.h"
 #include "vtkRidgesTriangulate.h"
 
+#include "vtkArrayDispatch.h"
 #include "vtkCellArray.h"
-#include "vtkDoubleArray.h"
+#include "vtkCellArrayIterator.h"
+#include "vtkDataArray.h"
+#include "vtkDataArrayRange.h"
 #include "vtkInformation.h"
 #include "vtkInformationObjectBaseKey.h"
 #include "vtkNew.h"
@@ -18,6 +22,7 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <iterator>
 #include <limits>
 #include <mutex>
 #include <utility>
@@ -48,38 +53,28 @@ Id NumberOfShares()
   return std::clamp(vtkSMPTools::GetEstimatedNumberOfThreads(), 1, 8);
 }
 
-/// Calls visit(cell, size, points) for each cell, straight from the array's own storage.
-struct ForEachCell
+/// Whether all cells are triangles, by their sizes.
+bool AreTriangles(vtkCellArray* cells)
 {
-  template <typename CellState, typename Visitor>
-  void operator()(CellState& state, Visitor& visit)
-  {
-    const auto* offsets = state.GetOffsets()->GetPointer(0);
-    const auto* points = state.GetConnectivity()->GetPointer(0);
-    for (vtkIdType cell = 0; cell < state.GetNumberOfCells(); ++cell)
-    {
-      visit(cell, offsets[cell + 1] - offsets[cell], points + offsets[cell]);
-    }
-  }
-};
+  const vtkIdType count = cells->GetNumberOfCells();
+  return count == 0 ||
+    (cells->IsHomogeneous() == 3 && cells->GetNumberOfConnectivityIds() >= 3 * count);
+}
 
-/// The usual case, done in parallel: all cells are triangles with three different points. False
-/// if one is not. Loops without branches, over values in a row.
+/// The usual case, done in parallel: whether all triangles have three different points. Loops
+/// without branches, over values in a row.
 struct FetchTriangles
 {
-  template <typename CellState>
-  void operator()(
-    CellState& state, vtkIdType numberOfPoints, ridges::Buffer<Triangle>& triangles, bool& good)
+  template <typename Array>
+  void operator()(Array* connectivity, vtkIdType numberOfPoints,
+    ridges::Buffer<Triangle>& triangles, bool& good) const
   {
-    const auto* offsets = state.GetOffsets()->GetPointer(0);
-    const auto* points = state.GetConnectivity()->GetPointer(0);
+    const auto ids = vtk::DataArrayValueRange<1>(connectivity).begin();
     std::atomic<bool> allGood(true);
-    ForRanges(state.GetNumberOfCells(),
-      [&](vtkIdType begin, vtkIdType end)
+    ForRanges(static_cast<vtkIdType>(triangles.size()),
+      [ids, numberOfPoints, &triangles, &allGood](vtkIdType begin, vtkIdType end)
       {
-        if (!AreTriangles(offsets + begin, offsets + end) ||
-          !Narrow(points + offsets[begin], points + offsets[end], numberOfPoints,
-            triangles[begin].data()) ||
+        if (!Narrow(ids + 3 * begin, ids + 3 * end, numberOfPoints, triangles[begin].data()) ||
           !HaveThreePoints(triangles.data() + begin, triangles.data() + end))
         {
           allGood = false;
@@ -89,27 +84,17 @@ struct FetchTriangles
   }
 
 private:
-  template <typename Offset>
-  static bool AreTriangles(const Offset* begin, const Offset* end)
+  template <typename Iterator>
+  static bool Narrow(Iterator begin, Iterator end, vtkIdType numberOfPoints, Id* narrowed)
   {
-    bool all = true;
-    for (const Offset* offset = begin; offset < end; ++offset)
-    {
-      all &= offset[1] - offset[0] == 3;
-    }
-    return all;
-  }
-
-  template <typename PointId>
-  static bool Narrow(
-    const PointId* begin, const PointId* end, vtkIdType numberOfPoints, Id* narrowed)
-  {
+    using PointId = typename std::iterator_traits<Iterator>::value_type;
     PointId bits = 0;
     Id largest = 0;
-    for (const PointId* p = begin; p < end; ++p)
+    for (Iterator p = begin; p != end; ++p)
     {
-      const auto id = static_cast<Id>(*p);
-      bits |= *p;
+      const PointId wide = *p;
+      const auto id = static_cast<Id>(wide);
+      bits |= wide;
       largest = std::max(largest, id);
       *narrowed++ = id;
     }
@@ -127,11 +112,14 @@ private:
   }
 };
 
+/// The types of ids that vtkCellArray stores. Others take the slow way.
+using StoredIds = vtkArrayDispatch::DispatchByValueType<vtkTypeList::Create<int, long, long long>>;
+
 bool AllFinite(const double* points, vtkIdType count)
 {
   std::atomic<bool> finite(true);
   ForRanges(count,
-    [&](vtkIdType begin, vtkIdType end)
+    [points, &finite](vtkIdType begin, vtkIdType end)
     {
       if (!ridges::AllFinite(points + 3 * begin, points + 3 * end))
       {
@@ -144,9 +132,14 @@ bool AllFinite(const double* points, vtkIdType count)
 vtkIdType CountTriangulatedCells(vtkPolyData* input)
 {
   vtkIdType polygons = 0;
-  const auto count = [&polygons](vtkIdType, vtkIdType size, const auto*)
-  { polygons += size > 3 ? 1 : 0; };
-  input->GetPolys()->Visit(ForEachCell{}, count);
+  const auto polys = vtk::TakeSmartPointer(input->GetPolys()->NewIterator());
+  for (polys->GoToFirstCell(); !polys->IsDoneWithTraversal(); polys->GoToNextCell())
+  {
+    vtkIdType size = 0;
+    const vtkIdType* corners = nullptr;
+    polys->GetCurrentCell(size, corners);
+    polygons += size > 3 ? 1 : 0;
+  }
   return polygons + input->GetNumberOfStrips();
 }
 
@@ -193,23 +186,22 @@ bool FetchAllTriangles(vtkPolyData* data, const double* points,
   const std::vector<std::uint8_t>& usable, ridges::Buffer<Triangle>& triangles)
 {
   const vtkIdType numberOfPoints = data->GetNumberOfPoints();
+  vtkCellArray* polys = data->GetPolys();
   if (data->GetNumberOfStrips() > 0 || std::find(usable.begin(), usable.end(), 0) != usable.end() ||
-    !AllFinite(points, numberOfPoints))
+    !AreTriangles(polys) || !AllFinite(points, numberOfPoints))
   {
     return false;
   }
-  bool good = true;
-  triangles = ridges::Buffer<Triangle>(data->GetPolys()->GetNumberOfCells());
-  data->GetPolys()->Visit(FetchTriangles{}, numberOfPoints, triangles, good);
-  return good;
+  triangles = ridges::Buffer<Triangle>(polys->GetNumberOfCells());
+  bool good = false;
+  return StoredIds::Execute(
+           polys->GetConnectivityArray(), FetchTriangles{}, numberOfPoints, triangles, good) &&
+    good;
 }
 
-/// The coordinates, where they are stored in double precision already.
-const double* StoredCoordinates(vtkPolyData* data)
+vtkDataArray* CoordinatesOf(vtkPolyData* data)
 {
-  vtkPoints* points = data->GetPoints();
-  vtkDoubleArray* exact = points ? vtkDoubleArray::SafeDownCast(points->GetData()) : nullptr;
-  return exact ? exact->GetPointer(0) : nullptr;
+  return data->GetPoints() ? data->GetPoints()->GetData() : nullptr;
 }
 
 } // namespace
@@ -218,6 +210,7 @@ const double* StoredCoordinates(vtkPolyData* data)
 struct vtkRidgesMesh::Adjacency
 {
   void FetchPoints(vtkPolyData* data);
+  bool IsOf(vtkPolyData* data) const;
   ridges::Buffer<Triangle> FetchGoodTriangles(
     vtkPolyData* data, const std::vector<std::uint8_t>& usable);
 
@@ -232,17 +225,20 @@ struct vtkRidgesMesh::Adjacency
 
 void vtkRidgesMesh::Adjacency::FetchPoints(vtkPolyData* data)
 {
-  this->points = StoredCoordinates(data);
-  if (!this->points)
+  vtkDataArray* coordinates = CoordinatesOf(data);
+  this->points = coordinates ? vtkRidgesDoubles(coordinates, this->convertedPoints) : nullptr;
+}
+
+/// Whether the points are a copy, or where the data set stores them now.
+bool vtkRidgesMesh::Adjacency::IsOf(vtkPolyData* data) const
+{
+  vtkDataArray* coordinates = CoordinatesOf(data);
+  if (!this->convertedPoints.empty() || !coordinates)
   {
-    const vtkIdType count = data->GetNumberOfPoints();
-    this->convertedPoints.resize(3 * count);
-    for (vtkIdType p = 0; p < count; ++p)
-    {
-      data->GetPoint(p, this->convertedPoints.data() + 3 * p);
-    }
-    this->points = this->convertedPoints.data();
+    return true;
   }
+  std::vector<double> copy;
+  return vtkRidgesDoubles(coordinates, copy) == this->points;
 }
 
 /// One by one, leaving out what is bad.
@@ -259,18 +255,22 @@ ridges::Buffer<Triangle> vtkRidgesMesh::Adjacency::FetchGoodTriangles(
   vtkCellArray* polys = data->GetPolys();
   ridges::Buffer<Triangle> fetched(polys->GetNumberOfCells());
   this->polyIds.reserve(polys->GetNumberOfCells());
-  const auto add = [&](vtkIdType cell, vtkIdType size, const auto* corners)
+  const auto isGood = [&isUsable, numberOfPoints](vtkIdType p)
+  { return p >= 0 && p < numberOfPoints && isUsable[p]; };
+  const auto cell = vtk::TakeSmartPointer(polys->NewIterator());
+  for (cell->GoToFirstCell(); !cell->IsDoneWithTraversal(); cell->GoToNextCell())
   {
-    const auto isGood = [&](vtkIdType p) { return p >= 0 && p < numberOfPoints && isUsable[p]; };
+    vtkIdType size = 0;
+    const vtkIdType* corners = nullptr;
+    cell->GetCurrentCell(size, corners);
     if (size == 3 && corners[0] != corners[1] && corners[1] != corners[2] &&
       corners[2] != corners[0] && std::all_of(corners, corners + 3, isGood))
     {
       fetched[this->polyIds.size()] = { static_cast<Id>(corners[0]), static_cast<Id>(corners[1]),
         static_cast<Id>(corners[2]) };
-      this->polyIds.push_back(static_cast<Id>(cell));
+      this->polyIds.push_back(static_cast<Id>(cell->GetCurrentCellId()));
     }
-  };
-  polys->Visit(ForEachCell{}, add);
+  }
   fetched.Shorten(this->polyIds.size());
   this->unusableTriangles = polys->GetNumberOfCells() - static_cast<vtkIdType>(fetched.size());
   return fetched;
@@ -306,8 +306,7 @@ bool vtkRidgesMesh::TakeHandedOn(vtkPolyData* input, const std::vector<std::uint
     return false;
   }
   // The array may have moved its values without saying so.
-  const double* stored = StoredCoordinates(input);
-  if (stored && stored != carrier->mesh->points)
+  if (!carrier->mesh->IsOf(input))
   {
     return false;
   }
@@ -362,7 +361,6 @@ bool vtkRidgesMesh::BuildAnew(vtkPolyData* input, const std::vector<std::uint8_t
       {
         return false;
       }
-      adjacency->FetchPoints(this->PolyData);
     }
     triangles = adjacency->FetchGoodTriangles(this->PolyData, usable);
   }
@@ -410,7 +408,7 @@ vtkIdType vtkRidgesMesh::CountCoincidentPoints() const
   const auto position = [this](vtkIdType p)
   { return this->Triangles->Point(static_cast<ridges::Id>(p)).data(); };
   std::sort(order.begin(), order.end(),
-    [&](vtkIdType p, vtkIdType q)
+    [position](vtkIdType p, vtkIdType q)
     {
       return std::lexicographical_compare(
         position(p), position(p) + 3, position(q), position(q) + 3);

@@ -4,6 +4,7 @@
 #define vtkRidgesMesh_h
 
 #include "Core/Mesh/TriangleMesh.h"
+#include "vtkRidgesCompatibility.h"
 
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
@@ -12,8 +13,10 @@
 #include <memory>
 #include <vector>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkInformationObjectBaseKey;
 class vtkPolyData;
+VTK_ABI_NAMESPACE_END
 
 /**
  * The triangles of a vtkPolyData as the numerics want them, private to the module. Polygons and

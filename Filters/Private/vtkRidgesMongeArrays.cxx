@@ -6,128 +6,142 @@
 #include "Core/Fit/JetFit.h"
 #include "vtkRidgesArrayNames.h"
 
-#include "vtkDataArray.h"
-#include "vtkDoubleArray.h"
-#include "vtkIntArray.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkSMPTools.h"
 
+#include <algorithm>
+#include <atomic>
+#include <limits>
+
 namespace names = vtkRidgesArrayNames;
+
+namespace
+{
+
+vtkRidgesArrayReader::Source PointDataOf(vtkPolyData* mesh)
+{
+  return { mesh->GetPointData(), mesh->GetNumberOfPoints(), "the point data of the mesh" };
+}
+
+} // namespace
 
 std::string vtkRidgesMongeArrays::FetchSecondOrder(vtkPolyData* mesh)
 {
-  this->Faults.clear();
-  this->Usable.assign(mesh->GetNumberOfPoints(), 1);
-
-  ridges::MongeField& field = this->Field;
-  field.k1 = this->FetchArray(mesh, names::MaximumCurvature, 1);
-  field.k2 = this->FetchArray(mesh, names::MinimumCurvature, 1);
-  field.d1 = this->FetchArray(mesh, names::MaximumDirection, 3);
-  field.d2 = this->FetchArray(mesh, names::MinimumDirection, 3);
-  this->FetchStatus(mesh);
-  return this->Faults;
+  const vtkRidgesArrayReader::Source source = PointDataOf(mesh);
+  this->ReadSecondOrder(source);
+  this->ReadStatus(source);
+  return this->Reader.GetFaults();
 }
 
 std::string vtkRidgesMongeArrays::Fetch(vtkPolyData* mesh, bool needsFourthOrder)
 {
-  this->FetchSecondOrder(mesh);
-
+  const vtkRidgesArrayReader::Source source = PointDataOf(mesh);
+  this->ReadSecondOrder(source);
   ridges::MongeField& field = this->Field;
-  field.b = this->FetchArray(mesh, names::ThirdOrder, 4);
+  field.b = this->Read(source, names::ThirdOrder, 4);
   vtkPointData* pointData = mesh->GetPointData();
-  const bool hasP = pointData->HasArray(names::P1) && pointData->HasArray(names::P2);
   if (pointData->HasArray(names::FourthOrder))
   {
-    field.c = this->FetchArray(mesh, names::FourthOrder, 5);
+    field.c = this->Read(source, names::FourthOrder, 5);
   }
-  else if (hasP)
+  else if (pointData->HasArray(names::P1) && pointData->HasArray(names::P2))
   {
-    field.P1 = this->FetchArray(mesh, names::P1, 1);
-    field.P2 = this->FetchArray(mesh, names::P2, 1);
+    field.P1 = this->Read(source, names::P1, 1);
+    field.P2 = this->Read(source, names::P2, 1);
   }
   else if (needsFourthOrder)
   {
-    this->Fault("FourthOrder (or P1 and P2)");
+    this->Reader.AddMissing(source, "FourthOrder (or P1 and P2)");
   }
-  return this->Faults;
+  this->ReadErrors(source);
+  this->ReadStatus(source);
+  return this->Reader.GetFaults();
 }
 
-void vtkRidgesMongeArrays::FetchStatus(vtkPolyData* mesh)
+std::string vtkRidgesMongeArrays::GetWarning() const
 {
-  if (vtkDataArray* status = mesh->GetPointData()->GetArray(names::FitStatus))
+  return this->NumberOfNotFinitePoints == 0
+    ? ""
+    : std::to_string(this->NumberOfNotFinitePoints) + " points have values that are not finite (" +
+      this->NotFinite + ") and are treated as points without a fit";
+}
+
+void vtkRidgesMongeArrays::ReadSecondOrder(const vtkRidgesArrayReader::Source& source)
+{
+  this->Usable.assign(source.tuples, 1);
+  ridges::MongeField& field = this->Field;
+  field.k1 = this->Read(source, names::MaximumCurvature, 1);
+  field.k2 = this->Read(source, names::MinimumCurvature, 1);
+  field.d1 = this->Read(source, names::MaximumDirection, 3);
+  field.d2 = this->Read(source, names::MinimumDirection, 3);
+}
+
+void vtkRidgesMongeArrays::ReadErrors(const vtkRidgesArrayReader::Source& source)
+{
+  const auto read = [this, &source](const char* name, int components)
+  { return this->Read(source, name, components, vtkRidgesArrayReader::Presence::Optional); };
+  this->Errors.maximumCurvatureError = read(names::MaximumCurvatureError, 1);
+  this->Errors.minimumCurvatureError = read(names::MinimumCurvatureError, 1);
+  this->Errors.thirdOrderError = read(names::ThirdOrderError, 4);
+  this->Errors.fitResidual = read(names::FitResidual, 1);
+  this->Errors.fitScale = read(names::FitScale, 1);
+}
+
+/// Last, as only values that are not finite are to be counted.
+void vtkRidgesMongeArrays::ReadStatus(const vtkRidgesArrayReader::Source& source)
+{
+  this->NumberOfNotFinitePoints = std::count(this->Usable.begin(), this->Usable.end(), 0);
+  const vtkIdType* status = this->Reader.Ids(source, names::FitStatus, 0,
+    std::numeric_limits<int>::max(), vtkRidgesArrayReader::Presence::Optional);
+  if (status)
   {
-    // An integer array is what vtkJetFitting makes, but not what all file formats keep.
-    vtkIntArray* exact = vtkIntArray::SafeDownCast(status);
-    const int* values =
-      exact && exact->GetNumberOfComponents() == 1 ? exact->GetPointer(0) : nullptr;
-    const auto fetch = [&](vtkIdType begin, vtkIdType end)
+    vtkSMPTools::For(0, source.tuples,
+      [this, status](vtkIdType begin, vtkIdType end)
+      {
+        for (vtkIdType p = begin; p < end; ++p)
+        {
+          if (status[p] & ridges::FitInvalid)
+          {
+            this->Usable[p] = 0;
+          }
+        }
+      });
+  }
+}
+
+const double* vtkRidgesMongeArrays::Read(const vtkRidgesArrayReader::Source& source,
+  const char* name, int components, vtkRidgesArrayReader::Presence presence)
+{
+  const double* values = this->Reader.Doubles(source, name, components, presence);
+  if (values && this->FlagNotFinite(values, components))
+  {
+    this->NotFinite += (this->NotFinite.empty() ? "" : ", ") + std::string(name);
+  }
+  return values;
+}
+
+/// Whether there are any.
+bool vtkRidgesMongeArrays::FlagNotFinite(const double* values, int components)
+{
+  std::atomic<bool> any(false);
+  vtkSMPTools::For(0, static_cast<vtkIdType>(this->Usable.size()),
+    [this, values, components, &any](vtkIdType begin, vtkIdType end)
     {
+      // Point by point only where something is wrong.
+      if (ridges::AllFinite(values + components * begin, values + components * end))
+      {
+        return;
+      }
+      any = true;
       for (vtkIdType p = begin; p < end; ++p)
       {
-        const int bits = values ? values[p] : static_cast<int>(status->GetComponent(p, 0));
-        if (bits & ridges::FitInvalid)
+        const double* tuple = values + components * p;
+        if (!ridges::AllFinite(tuple, tuple + components))
         {
           this->Usable[p] = 0;
         }
       }
-    };
-    vtkSMPTools::For(0, mesh->GetNumberOfPoints(), fetch);
-  }
-}
-
-void vtkRidgesMongeArrays::Fault(const std::string& text)
-{
-  this->Faults += (this->Faults.empty() ? "" : ", ") + text;
-}
-
-const double* vtkRidgesMongeArrays::FetchArray(vtkPolyData* mesh, const char* name, int components)
-{
-  vtkDataArray* array = mesh->GetPointData()->GetArray(name);
-  if (!array)
-  {
-    this->Fault(name);
-    return nullptr;
-  }
-  if (array->GetNumberOfComponents() != components)
-  {
-    this->Fault(std::string(name) + " (with " + std::to_string(components) + " components, not " +
-      std::to_string(array->GetNumberOfComponents()) + ")");
-    return nullptr;
-  }
-
-  const vtkIdType count = mesh->GetNumberOfPoints();
-  const double* values = nullptr;
-  if (vtkDoubleArray* exact = vtkDoubleArray::SafeDownCast(array))
-  {
-    values = exact->GetPointer(0);
-  }
-  else
-  {
-    this->Converted.emplace_back(components * count);
-    std::vector<double>& converted = this->Converted.back();
-    for (vtkIdType p = 0; p < count; ++p)
-    {
-      array->GetTuple(p, converted.data() + components * p);
-    }
-    values = converted.data();
-  }
-  const auto check = [&](vtkIdType begin, vtkIdType end)
-  {
-    // Point by point only where something is wrong.
-    if (ridges::AllFinite(values + components * begin, values + components * end))
-    {
-      return;
-    }
-    for (vtkIdType p = begin; p < end; ++p)
-    {
-      const double* tuple = values + components * p;
-      if (!ridges::AllFinite(tuple, tuple + components))
-      {
-        this->Usable[p] = 0;
-      }
-    }
-  };
-  vtkSMPTools::For(0, count, check);
-  return values;
+    });
+  return any;
 }

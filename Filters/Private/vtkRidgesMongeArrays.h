@@ -3,14 +3,17 @@
 #ifndef vtkRidgesMongeArrays_h
 #define vtkRidgesMongeArrays_h
 
+#include "Core/Fit/FitErrors.h"
 #include "Core/Monge/MongeField.h"
+#include "vtkRidgesArrayReader.h"
 
-#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkPolyData;
+VTK_ABI_NAMESPACE_END
 
 /**
  * The Monge arrays on a mesh, as the numerics want them, private to the module.
@@ -19,8 +22,8 @@ class vtkRidgesMongeArrays
 {
 public:
   /**
-   * Fetches the arrays. What is wrong, all of it, comes back as text that names each array; empty
-   * if nothing is. FourthOrder, or else P1 and P2, is demanded only where the caller needs it.
+   * Fetches the arrays. All that is wrong with them becomes one text, which is empty if nothing is.
+   * FourthOrder, or else P1 and P2, is required only where the caller needs it.
    */
   std::string Fetch(vtkPolyData* mesh, bool needsFourthOrder);
 
@@ -29,18 +32,29 @@ public:
 
   const ridges::MongeField& GetField() const { return this->Field; }
 
+  /// What is known of the errors of the fits. The arrays for it may be missing.
+  const ridges::FitErrorSource& GetErrors() const { return this->Errors; }
+
   /// Per point: 0 where the fit is invalid or a value is not finite.
   const std::vector<std::uint8_t>& GetUsable() const { return this->Usable; }
 
+  /// How many points have values that are not finite, and in which arrays; empty if there are none.
+  std::string GetWarning() const;
+
 private:
-  void Fault(const std::string& text);
-  void FetchStatus(vtkPolyData* mesh);
-  const double* FetchArray(vtkPolyData* mesh, const char* name, int components);
+  void ReadSecondOrder(const vtkRidgesArrayReader::Source& source);
+  void ReadErrors(const vtkRidgesArrayReader::Source& source);
+  void ReadStatus(const vtkRidgesArrayReader::Source& source);
+  const double* Read(const vtkRidgesArrayReader::Source& source, const char* name, int components,
+    vtkRidgesArrayReader::Presence presence = vtkRidgesArrayReader::Presence::Required);
+  bool FlagNotFinite(const double* values, int components);
 
   ridges::MongeField Field;
+  ridges::FitErrorSource Errors;
+  vtkRidgesArrayReader Reader;
   std::vector<std::uint8_t> Usable;
-  std::vector<std::vector<double>> Converted;
-  std::string Faults;
+  std::string NotFinite; ///< Names of arrays.
+  vtkIdType NumberOfNotFinitePoints = 0;
 };
 
 #endif

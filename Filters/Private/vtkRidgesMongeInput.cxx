@@ -26,7 +26,7 @@ bool vtkRidgesMongeInput::Build(
   if (!faults.empty())
   {
     vtkErrorWithObjectMacro(
-      filter, "The mesh lacks point arrays that vtkJetFitting makes: " << faults << ".");
+      filter, "The input does not have the arrays of vtkJetFitting: " << faults << ".");
     return false;
   }
   const std::vector<std::uint8_t> all;
@@ -40,6 +40,11 @@ bool vtkRidgesMongeInput::Build(
   {
     vtkWarningWithObjectMacro(filter,
       << this->mesh.GetNumberOfTriangulatedCells() << " polygons or strips were triangulated.");
+  }
+  const std::string warning = this->arrays.GetWarning();
+  if (!warning.empty())
+  {
+    vtkWarningWithObjectMacro(filter, << warning << ".");
   }
   return true;
 }

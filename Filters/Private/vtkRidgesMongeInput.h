@@ -8,8 +8,6 @@
 
 #include <string>
 
-class vtkAlgorithm;
-
 /**
  * A mesh with Monge arrays, as the filters behind vtkJetFitting take it in, private to the module.
  */

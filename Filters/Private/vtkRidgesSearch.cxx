@@ -7,8 +7,7 @@
 #include "Core/Umbilics/UmbilicForm.h"
 #include "vtkRidgesBatches.h"
 #include "vtkRidgesCollect.h"
-#include "vtkRidgesFitErrors.h"
-#include "vtkRidgesMesh.h"
+#include "vtkRidgesMongeInput.h"
 #include "vtkRidgesUmbilicMarks.h"
 
 #include "vtkPolyData.h"
@@ -121,9 +120,10 @@ struct TraceRidges
 } // namespace
 
 vtkRidgesSearch::vtkRidgesSearch(
-  const vtkRidgesMesh& mesh, const ridges::MongeField& field, const vtkRidgesUmbilicMarks& umbilics)
-  : Mesh(mesh)
-  , Field(field)
+  const vtkRidgesMongeInput& monge, const vtkRidgesUmbilicMarks& umbilics)
+  : Mesh(monge.mesh)
+  , Field(monge.arrays.GetField())
+  , Errors(monge.arrays.GetErrors())
   , Umbilics(umbilics)
 {
 }
@@ -232,8 +232,7 @@ bool vtkRidgesSearch::Assemble(vtkAlgorithm* filter, double from, double to,
   {
     return true;
   }
-  const ridges::SmallLoops smallLoops(
-    crossings, vtkRidgesFetchFitErrors(this->Mesh.GetPolyData()), this->LoopSignificance);
+  const ridges::SmallLoops smallLoops(crossings, this->Errors, this->LoopSignificance);
   std::vector<std::uint8_t> isLeftOut(whole.size(), 0);
   const auto look = [&smallLoops, &pieces, &whole, &isLeftOut](vtkIdType begin, vtkIdType end)
   {

@@ -3,6 +3,7 @@
 #ifndef vtkRidgesSearch_h
 #define vtkRidgesSearch_h
 
+#include "Core/Fit/FitErrors.h"
 #include "Core/Ridges/RidgeTrace.h"
 
 #include <cstdint>
@@ -10,6 +11,7 @@
 
 class vtkAlgorithm;
 class vtkRidgesMesh;
+class vtkRidgesMongeInput;
 class vtkRidgesUmbilicMarks;
 
 /**
@@ -19,8 +21,7 @@ class vtkRidgesUmbilicMarks;
 class vtkRidgesSearch
 {
 public:
-  vtkRidgesSearch(const vtkRidgesMesh& mesh, const ridges::MongeField& field,
-    const vtkRidgesUmbilicMarks& umbilics);
+  vtkRidgesSearch(const vtkRidgesMongeInput& monge, const vtkRidgesUmbilicMarks& umbilics);
 
   void SetCrossingRule(ridges::CrossingRule rule) { this->CrossingRule = rule; }
   void SetExtremalityRule(ridges::ExtremalityRule rule) { this->ExtremalityRule = rule; }
@@ -61,6 +62,7 @@ private:
 
   const vtkRidgesMesh& Mesh;
   const ridges::MongeField& Field;
+  const ridges::FitErrorSource& Errors;
   const vtkRidgesUmbilicMarks& Umbilics;
   ridges::CrossingRule CrossingRule = ridges::CrossingRule::Form;
   ridges::ExtremalityRule ExtremalityRule = ridges::ExtremalityRule::Principal;

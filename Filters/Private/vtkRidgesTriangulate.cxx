@@ -10,31 +10,14 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkPolygon.h"
-#include "vtkTriangleFilter.h"
 #include "vtkVersionMacros.h"
 
-#include <algorithm>
+#include <cmath>
 
 namespace
 {
 
-/// Triangles that all the polygons and strips make up.
-vtkIdType CountTriangles(vtkPolyData* data)
-{
-  vtkNew<vtkIdList> ids;
-  vtkIdType count = 0;
-  for (vtkCellArray* cells : { data->GetPolys(), data->GetStrips() })
-  {
-    for (vtkIdType cell = 0; cell < cells->GetNumberOfCells(); ++cell)
-    {
-      cells->GetCellAtId(cell, ids);
-      count += std::max<vtkIdType>(0, ids->GetNumberOfIds() - 2);
-    }
-  }
-  return count;
-}
-
-bool CutEars(vtkPolygon* polygon, vtkIdList* triangles)
+bool CutPolygonByShape(vtkPolygon* polygon, vtkIdList* triangles)
 {
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 3, 20240617) // as in ParaView 5.13
   return polygon->TriangulateLocalIds(0, triangles) != 0;
@@ -43,41 +26,119 @@ bool CutEars(vtkPolygon* polygon, vtkIdList* triangles)
 #endif
 }
 
-/// Local numbers of the corners of the triangles that make up a polygon.
-void CutPolygon(vtkPoints* points, vtkIdList* polygon, vtkIdList* triangles)
+/// Collects the triangles with the cell data of what they are cut from.
+class Cutter
 {
-  const vtkIdType size = polygon->GetNumberOfIds();
-  vtkNew<vtkPolygon> cell;
-  cell->Initialize(static_cast<int>(size), polygon->GetPointer(0), points);
-  triangles->Reset();
-  if (size > 3 && CutEars(cell, triangles) && triangles->GetNumberOfIds() == 3 * (size - 2))
+public:
+  explicit Cutter(vtkPolyData* input)
+    : Points(input->GetPoints())
+    , InputData(input->GetCellData())
   {
-    return;
+    this->CellData->CopyAllOn();
+    this->CellData->CopyAllocate(this->InputData);
   }
-  triangles->Reset();
-  for (vtkIdType i = 1; i + 1 < size; ++i)
+
+  /// Cells that stay as they are, which come before all others.
+  void Keep(vtkIdType count)
   {
-    for (const vtkIdType corner : { vtkIdType{ 0 }, i, i + 1 })
+    for (vtkIdType i = 0; i < count; ++i, ++this->From, ++this->To)
     {
-      triangles->InsertNextId(corner);
+      this->CellData->CopyData(this->InputData, this->From, this->To);
     }
   }
-}
 
-/// Each second triangle of a strip runs the other way.
-void CutStrip(vtkIdList* strip, vtkIdList* triangles)
-{
-  triangles->Reset();
-  for (vtkIdType i = 0; i + 2 < strip->GetNumberOfIds(); ++i)
+  /// A triangle, or less than one, stays as it is.
+  void CutPolygon(vtkIdList* polygon)
   {
-    for (const vtkIdType corner : { i, i + 1 + i % 2, i + 2 - i % 2 })
+    const vtkIdType size = polygon->GetNumberOfIds();
+    if (size <= 3)
     {
-      triangles->InsertNextId(corner);
+      this->Insert(size, polygon->GetPointer(0));
     }
+    else if (this->CutEars(polygon))
+    {
+      for (vtkIdType i = 0; i < this->Corners->GetNumberOfIds(); i += 3)
+      {
+        this->InsertCorners(polygon, this->Corners->GetId(i), this->Corners->GetId(i + 1),
+          this->Corners->GetId(i + 2));
+      }
+    }
+    else
+    {
+      for (vtkIdType i = 1; i + 1 < size; ++i)
+      {
+        this->InsertCorners(polygon, 0, i, i + 1);
+      }
+    }
+    ++this->From;
   }
-}
 
-vtkSmartPointer<vtkPolyData> CutAll(vtkPolyData* input)
+  /// Each second triangle of a strip runs the other way.
+  void CutStrip(vtkIdList* strip)
+  {
+    for (vtkIdType i = 0; i + 2 < strip->GetNumberOfIds(); ++i)
+    {
+      this->InsertCorners(strip, i, i + 1 + i % 2, i + 2 - i % 2);
+    }
+    ++this->From;
+  }
+
+  void Store(vtkPolyData* output)
+  {
+    output->SetPolys(this->Triangles);
+    output->GetCellData()->ShallowCopy(this->CellData);
+  }
+
+private:
+  /// Finds the triangles of a polygon by its shape. False where that fails.
+  bool CutEars(vtkIdList* ids)
+  {
+    for (vtkIdType i = 0; i < ids->GetNumberOfIds(); ++i)
+    {
+      const vtkIdType p = ids->GetId(i);
+      double x[3];
+      if (p < 0 || !this->Points || p >= this->Points->GetNumberOfPoints())
+      {
+        return false;
+      }
+      this->Points->GetPoint(p, x);
+      if (!std::isfinite(x[0]) || !std::isfinite(x[1]) || !std::isfinite(x[2]))
+      {
+        return false;
+      }
+    }
+    this->Polygon->Initialize(
+      static_cast<int>(ids->GetNumberOfIds()), ids->GetPointer(0), this->Points);
+    this->Corners->Reset();
+    return CutPolygonByShape(this->Polygon, this->Corners) &&
+      this->Corners->GetNumberOfIds() == 3 * (ids->GetNumberOfIds() - 2);
+  }
+
+  void InsertCorners(vtkIdList* ids, vtkIdType i, vtkIdType j, vtkIdType k)
+  {
+    const vtkIdType triangle[] = { ids->GetId(i), ids->GetId(j), ids->GetId(k) };
+    this->Insert(3, triangle);
+  }
+
+  void Insert(vtkIdType size, const vtkIdType* ids)
+  {
+    this->Triangles->InsertNextCell(size, ids);
+    this->CellData->CopyData(this->InputData, this->From, this->To++);
+  }
+
+  vtkPoints* Points;
+  vtkCellData* InputData;
+  vtkIdType From = 0; ///< The cell to be cut next.
+  vtkIdType To = 0;   ///< The cell to be made next.
+  vtkNew<vtkCellArray> Triangles;
+  vtkNew<vtkCellData> CellData;
+  vtkNew<vtkPolygon> Polygon;
+  vtkNew<vtkIdList> Corners;
+};
+
+} // namespace
+
+vtkSmartPointer<vtkPolyData> vtkRidgesTriangulate(vtkPolyData* input)
 {
   auto output = vtkSmartPointer<vtkPolyData>::New();
   output->SetPoints(input->GetPoints());
@@ -85,51 +146,20 @@ vtkSmartPointer<vtkPolyData> CutAll(vtkPolyData* input)
   output->SetLines(input->GetLines());
   output->GetPointData()->PassData(input->GetPointData());
   output->SetFieldData(input->GetFieldData());
-  vtkCellData* cellData = output->GetCellData();
-  cellData->CopyAllOn();
-  cellData->CopyAllocate(input->GetCellData());
 
-  vtkIdType from = 0;
-  vtkIdType to = 0;
-  for (; from < input->GetNumberOfVerts() + input->GetNumberOfLines(); ++from, ++to)
-  {
-    cellData->CopyData(input->GetCellData(), from, to);
-  }
-  vtkNew<vtkCellArray> polys;
+  Cutter cutter(input);
+  cutter.Keep(input->GetNumberOfVerts() + input->GetNumberOfLines());
   vtkNew<vtkIdList> ids;
-  vtkNew<vtkIdList> triangles;
-  for (vtkCellArray* cells : { input->GetPolys(), input->GetStrips() })
+  for (vtkIdType cell = 0; cell < input->GetNumberOfPolys(); ++cell)
   {
-    for (vtkIdType cell = 0; cell < cells->GetNumberOfCells(); ++cell, ++from)
-    {
-      cells->GetCellAtId(cell, ids);
-      if (cells == input->GetPolys())
-      {
-        CutPolygon(input->GetPoints(), ids, triangles);
-      }
-      else
-      {
-        CutStrip(ids, triangles);
-      }
-      for (vtkIdType i = 0; i + 2 < triangles->GetNumberOfIds(); i += 3, ++to)
-      {
-        polys->InsertNextCell({ ids->GetId(triangles->GetId(i)),
-          ids->GetId(triangles->GetId(i + 1)), ids->GetId(triangles->GetId(i + 2)) });
-        cellData->CopyData(input->GetCellData(), from, to);
-      }
-    }
+    input->GetPolys()->GetCellAtId(cell, ids);
+    cutter.CutPolygon(ids);
   }
-  output->SetPolys(polys);
+  for (vtkIdType cell = 0; cell < input->GetNumberOfStrips(); ++cell)
+  {
+    input->GetStrips()->GetCellAtId(cell, ids);
+    cutter.CutStrip(ids);
+  }
+  cutter.Store(output);
   return output;
-}
-
-} // namespace
-
-vtkSmartPointer<vtkPolyData> vtkRidgesTriangulate(vtkPolyData* input)
-{
-  vtkNew<vtkTriangleFilter> filter;
-  filter->SetInputData(input);
-  filter->Update();
-  vtkSmartPointer<vtkPolyData> output = filter->GetOutput();
-  return output->GetNumberOfPolys() < CountTriangles(input) ? CutAll(input) : output;
 }

@@ -3,14 +3,20 @@
 #ifndef vtkRidgesTriangulate_h
 #define vtkRidgesTriangulate_h
 
+#include "vtkRidgesCompatibility.h"
+
 #include "vtkSmartPointer.h"
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkPolyData;
+VTK_ABI_NAMESPACE_END
 
 /**
- * The data set with all polygons and strips as triangles, private to the module: the output of
- * vtkTriangleFilter. Should that have dropped a polygon, as it does with some that are far from
- * planar, which opens a hole, polygons that it cannot do are cut into a fan from their first point.
+ * The data set with all polygons and strips cut into triangles, and their cell data; points, verts
+ * and lines are passed over as they are. Private to the module.
+ *
+ * vtkTriangleFilter cuts polylines as well, and drops some polygons that are far from planar, which
+ * opens a hole: here those are cut into a fan from their first point.
  */
 vtkSmartPointer<vtkPolyData> vtkRidgesTriangulate(vtkPolyData* input);
 

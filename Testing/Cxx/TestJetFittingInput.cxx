@@ -9,6 +9,7 @@
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
+#include "vtkIdList.h"
 #include "vtkIdTypeArray.h"
 #include "vtkJetFitting.h"
 #include "vtkNew.h"
@@ -16,11 +17,13 @@
 #include "vtkPoints.h"
 #include "vtkRidgesArrayNames.h"
 #include "vtkStripper.h"
+#include "vtkTriangleFilter.h"
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 using namespace ridges::testing;
 namespace names = vtkRidgesArrayNames;
@@ -210,6 +213,60 @@ TEST(JetFittingInput, QuadsAreTriangulatedWithOneWarning)
   EXPECT_NE(fitting.recorder.WarningText().find("144 polygons or strips were triangulated"),
     std::string::npos);
   ExpectArray(fitting.Data(), names::ThirdOrder, VTK_DOUBLE, 4, 13 * 13);
+}
+
+// vtkTriangleFilter would cut the polyline into pieces.
+TEST(JetFittingInput, PolylinesBesideQuadsAreKept)
+{
+  const auto mesh = QuadPatch(4);
+  vtkNew<vtkCellArray> lines;
+  lines->InsertNextCell({ 0, 6, 12, 18 });
+  lines->InsertNextCell({ 3, 2 });
+  mesh->SetLines(lines);
+  vtkNew<vtkIdTypeArray> own;
+  own->SetName("Own");
+  for (vtkIdType cell = 0; cell < mesh->GetNumberOfCells(); ++cell)
+  {
+    own->InsertNextValue(100 + cell);
+  }
+  mesh->GetCellData()->AddArray(own);
+  Fitting fitting(mesh);
+  vtkNew<vtkIdList> ids;
+  ASSERT_EQ(fitting.Output()->GetNumberOfLines(), 2);
+  fitting.Output()->GetLines()->GetCellAtId(0, ids);
+  EXPECT_EQ(ids->GetNumberOfIds(), 4);
+  EXPECT_EQ(ids->GetId(3), 18);
+  ASSERT_EQ(fitting.Output()->GetNumberOfCells(), 2 + 2 * 16);
+  for (vtkIdType cell = 0; cell < fitting.Output()->GetNumberOfCells(); ++cell)
+  {
+    const vtkIdType from = cell < 2 ? cell : 2 + (cell - 2) / 2;
+    EXPECT_EQ(Value(fitting.Output()->GetCellData(), "Own", cell), 100.0 + from);
+  }
+}
+
+TEST(JetFittingInput, PolygonsAreCutAsByVtkTriangleFilter)
+{
+  const auto mesh = QuadPatch(6);
+  mesh->GetPolys()->InsertNextCell({ 0, 1, 9, 15, 14 }); // not convex, nor planar
+  vtkNew<vtkTriangleFilter> filter;
+  filter->SetInputData(mesh);
+  filter->Update();
+  Fitting fitting(mesh);
+  EXPECT_EQ(ToMesh(fitting.Output()).triangles, ToMesh(filter->GetOutput()).triangles);
+}
+
+TEST(JetFittingInput, PolygonsWithABadCornerLoseTheTrianglesThere)
+{
+  const auto mesh = QuadPatch(6);
+  mesh->GetPolys()->InsertNextCell({ 0, 1, 8, 1000 });
+  mesh->GetPolys()->InsertNextCell({ 0, 1, 8, -5 });
+  mesh->GetPolys()->InsertNextCell({ 0, 1 });
+  mesh->GetPoints()->SetPoint(48, std::numeric_limits<double>::quiet_NaN(), 0.0, 0.0);
+  Fitting fitting(mesh);
+  EXPECT_EQ(fitting.recorder.NumberOfErrors(), 0u);
+  EXPECT_NE(fitting.recorder.WarningText().find("5 triangles were left out"), std::string::npos)
+    << fitting.recorder.WarningText();
+  ExpectArray(fitting.Data(), names::ThirdOrder, VTK_DOUBLE, 4, 49);
 }
 
 TEST(JetFittingInput, StripsAreTriangulatedWithOneWarning)

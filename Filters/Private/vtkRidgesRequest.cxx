@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkRidges contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkRidgesRequest.h"
+
+#include "vtkDataObject.h"
+#include "vtkInformationVector.h"
+#include "vtkPolyData.h"
+
+#include <cmath>
+#include <string>
+
+vtkPolyData* vtkRidgesGetPolyData(vtkAlgorithm* filter, vtkInformationVector* input)
+{
+  vtkDataObject* object = vtkDataObject::GetData(input);
+  auto* polyData = vtkPolyData::SafeDownCast(object);
+  if (!polyData)
+  {
+    vtkErrorWithObjectMacro(filter,
+      "A block of the input is a " << (object ? object->GetClassName() : "null pointer")
+                                   << ", not a vtkPolyData.");
+  }
+  return polyData;
+}
+
+bool vtkRidgesAreNumbers(
+  vtkAlgorithm* filter, std::initializer_list<std::pair<const char*, double>> properties)
+{
+  std::string wrong;
+  for (const auto& [name, value] : properties)
+  {
+    if (std::isnan(value))
+    {
+      wrong += (wrong.empty() ? "" : ", ") + std::string(name);
+    }
+  }
+  if (!wrong.empty())
+  {
+    vtkErrorWithObjectMacro(filter, "These properties are not numbers: " << wrong << ".");
+  }
+  return wrong.empty();
+}
