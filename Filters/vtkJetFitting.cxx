@@ -10,10 +10,13 @@
 #include "vtkRidgesFitPoints.h"
 #include "vtkRidgesMesh.h"
 #include "vtkRidgesMongeOutput.h"
+#include "vtkRidgesRequest.h"
 #include "vtkRidgesUmbilicMarks.h"
 
+#include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkIntArray.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
@@ -34,6 +37,23 @@ static_assert(static_cast<int>(vtkJetFitting::FIT_BOUNDARY) == ridges::FitBounda
 
 namespace
 {
+
+/// The number of rings that was selected, or 0; what an earlier fit left is removed.
+void StoreSelectedRings(vtkPolyData* mesh, int rings)
+{
+  // The field data is still the input's own, which is not ours to change.
+  vtkNew<vtkFieldData> field;
+  field->ShallowCopy(mesh->GetFieldData());
+  field->RemoveArray(names::SelectedNumberOfRings);
+  if (rings > 0)
+  {
+    vtkNew<vtkIntArray> selected;
+    selected->SetName(names::SelectedNumberOfRings);
+    selected->InsertNextValue(rings);
+    field->AddArray(selected);
+  }
+  mesh->SetFieldData(field);
+}
 
 struct BuildRings
 {
@@ -80,7 +100,7 @@ std::string Complaint(vtkRidgesMesh& mesh, const ridges::OrderedRings& rings, vt
   {
     anyBits |= statuses[p];
   }
-  const auto count = [=](int bit)
+  const auto count = [statuses, points, anyBits](int bit)
   {
     vtkIdType sum = 0;
     for (vtkIdType p = 0; (anyBits & bit) && p < points; ++p)
@@ -150,9 +170,12 @@ int vtkJetFitting::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   using Kind = ridges::NeighborhoodRule::Kind;
-  vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
+  vtkPolyData* input = vtkRidgesGetPolyData(this, inputVector[0]);
+  if (!input)
+  {
+    return 0;
+  }
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
-  this->SelectedNumberOfRings = 0;
 
   if (this->Neighborhood == BY_RADIUS && !(this->Radius > 0.0 && std::isfinite(this->Radius)))
   {
@@ -189,6 +212,7 @@ int vtkJetFitting::RequestData(
   {
     return 1;
   }
+  int selectedRings = 0;
   if (this->Neighborhood == AUTOMATIC && count > 0)
   {
     const std::vector<ridges::Id> sample = ridges::ScaleSample(triangles);
@@ -199,8 +223,8 @@ int vtkJetFitting::RequestData(
     {
       return 1;
     }
-    this->SelectedNumberOfRings = ridges::SelectNumberOfRings(trials, this->Degree);
-    settings.rule.numberOfRings = this->SelectedNumberOfRings;
+    selectedRings = ridges::SelectNumberOfRings(trials, this->Degree);
+    settings.rule.numberOfRings = selectedRings;
   }
   vtkRidgesFitPoints fitPoints(triangles, rings, settings, arrays);
   const double begin = this->Neighborhood == AUTOMATIC ? 0.3 : 0.2;
@@ -219,6 +243,7 @@ int vtkJetFitting::RequestData(
   output->ShallowCopy(mesh.GetPolyData());
   arrays.AddTo(output->GetPointData());
   vtkRidgesUmbilicMarks::RemoveFrom(output);
+  StoreSelectedRings(output, selectedRings);
   mesh.HandOnWith(output);
   return 1;
 }
@@ -232,7 +257,6 @@ void vtkJetFitting::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MinimumNumberOfPoints: " << this->MinimumNumberOfPoints << "\n";
   os << indent << "NumberOfRings: " << this->NumberOfRings << "\n";
   os << indent << "Radius: " << this->Radius << "\n";
-  os << indent << "SelectedNumberOfRings: " << this->SelectedNumberOfRings << "\n";
   os << indent << "Weighting: " << this->GetWeightingAsString() << "\n";
   os << indent << "StandardErrors: " << (this->StandardErrors ? "On" : "Off") << "\n";
 }

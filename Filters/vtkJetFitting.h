@@ -33,6 +33,7 @@
  *
  * and, if StandardErrors is on, the standard errors MaximumCurvatureError, MinimumCurvatureError,
  * ThirdOrderError (of b0 to b3), P1Error and P2Error, in the units of these values.
+ * If Neighborhood is AUTOMATIC, the field array SelectedNumberOfRings has the number chosen.
  *
  * Curvature is positive where the surface bends towards its normal: a sphere of radius r with
  * outward normals has k1 = k2 = -1/r. vtkCurvatures has the opposite sign.
@@ -153,9 +154,6 @@ public:
   vtkGetMacro(Radius, double);
   ///@}
 
-  /// Number of rings chosen by the last update if Neighborhood was AUTOMATIC, else 0.
-  vtkGetMacro(SelectedNumberOfRings, int);
-
   ///@{
   /**
    * Weights of the points in a neighbourhood: equal, or a Gaussian of the distance with a standard
@@ -189,7 +187,6 @@ protected:
   int MinimumNumberOfPoints = 18;
   int NumberOfRings = 3;
   double Radius = 0.0;
-  int SelectedNumberOfRings = 0;
   int Weighting = UNIFORM;
   bool StandardErrors = false;
 

@@ -2,13 +2,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRidgesAndUmbilics.h"
 
+#include "vtkRidgeSharpnessFilter.h"
+#include "vtkRidgesCompatibility.h"
+#include "vtkRidgesRequest.h"
+
 #include "vtkCommand.h"
 #include "vtkExecutive.h"
 #include "vtkInformation.h"
+#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 
-#include <algorithm>
+#include <array>
+#include <string>
+#include <type_traits>
 
 vtkStandardNewMacro(vtkRidgesAndUmbilics);
 
@@ -25,12 +32,52 @@ std::string BareText(const char* text)
   return bare;
 }
 
+/// Sets a property of a stage. If that modifies the stage, the filter is modified, too.
+template <typename Stage, typename Value>
+void SetOnStage(vtkAlgorithm* filter, Stage* stage, void (Stage::*setter)(Value), Value value)
+{
+  const vtkMTimeType before = stage->GetMTime();
+  (stage->*setter)(value);
+  if (stage->GetMTime() != before)
+  {
+    filter->Modified();
+  }
+}
+
 } // namespace
 
-vtkRidgesAndUmbilics::vtkRidgesAndUmbilics()
+//------------------------------------------------------------------------------
+/// The four filters in a row.
+class vtkRidgesAndUmbilics::vtkInternals
 {
-  this->SetNumberOfOutputPorts(3);
+public:
+  explicit vtkInternals(vtkRidgesAndUmbilics* filter);
 
+  std::array<vtkPolyDataAlgorithm*, 4> GetStages()
+  {
+    return { this->Jets, this->Umbilics, this->Ridges, this->Selection };
+  }
+
+  void TakeIn(vtkPolyData* input);
+
+  vtkNew<vtkJetFitting> Jets;
+  vtkNew<vtkUmbilicDetection> Umbilics;
+  vtkNew<vtkRidgeExtraction> Ridges;
+  vtkNew<vtkRidgeSharpnessFilter> Selection;
+  std::string ErrorText; ///< Of the stages, in this update.
+
+private:
+  void ForwardProgress(vtkObject* stage, unsigned long, void*);
+  void ForwardMessage(vtkObject* caller, unsigned long event, void* text);
+
+  vtkRidgesAndUmbilics* Filter;
+  const vtkPolyData* LastInput = nullptr; ///< To compare with only.
+  vtkMTimeType LastInputTime = 0;
+};
+
+vtkRidgesAndUmbilics::vtkInternals::vtkInternals(vtkRidgesAndUmbilics* filter)
+  : Filter(filter)
+{
   this->Umbilics->SetInputConnection(this->Jets->GetOutputPort());
   this->Ridges->SetInputConnection(this->Umbilics->GetOutputPort());
   this->Selection->SetInputConnection(this->Ridges->GetOutputPort());
@@ -43,55 +90,16 @@ vtkRidgesAndUmbilics::vtkRidgesAndUmbilics()
 
   for (vtkPolyDataAlgorithm* stage : this->GetStages())
   {
-    stage->AddObserver(vtkCommand::ProgressEvent, this, &vtkRidgesAndUmbilics::ForwardProgress);
-    stage->AddObserver(vtkCommand::WarningEvent, this, &vtkRidgesAndUmbilics::ForwardMessage);
-    stage->AddObserver(vtkCommand::ErrorEvent, this, &vtkRidgesAndUmbilics::ForwardMessage);
-    stage->GetExecutive()->AddObserver(
-      vtkCommand::ErrorEvent, this, &vtkRidgesAndUmbilics::ForwardMessage);
+    stage->AddObserver(vtkCommand::ProgressEvent, this, &vtkInternals::ForwardProgress);
+    stage->AddObserver(vtkCommand::WarningEvent, this, &vtkInternals::ForwardMessage);
+    stage->AddObserver(vtkCommand::ErrorEvent, this, &vtkInternals::ForwardMessage);
+    stage->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, this, &vtkInternals::ForwardMessage);
   }
 }
 
-std::array<vtkPolyDataAlgorithm*, 4> vtkRidgesAndUmbilics::GetStages()
-{
-  return { this->Jets, this->Umbilics, this->Ridges, this->Selection };
-}
-
-vtkMTimeType vtkRidgesAndUmbilics::GetMTime()
-{
-  vtkMTimeType time = this->Superclass::GetMTime();
-  for (vtkPolyDataAlgorithm* stage : this->GetStages())
-  {
-    time = std::max(time, stage->GetMTime());
-  }
-  return time;
-}
-
-void vtkRidgesAndUmbilics::ForwardProgress(vtkObject* stage, unsigned long, void*)
-{
-  auto* algorithm = static_cast<vtkAlgorithm*>(stage);
-  this->UpdateProgress(algorithm->GetProgress());
-  if (this->GetAbortExecute())
-  {
-    algorithm->SetAbortExecute(1);
-  }
-}
-
-void vtkRidgesAndUmbilics::ForwardMessage(vtkObject*, unsigned long event, void* text)
-{
-  const std::string bare = BareText(static_cast<const char*>(text));
-  if (event == vtkCommand::WarningEvent)
-  {
-    vtkWarningMacro(<< bare);
-  }
-  else if (this->ErrorText.empty()) // then the executive only adds that its stage has failed
-  {
-    this->ErrorText = bare;
-  }
-}
-
-/// Hands over a copy, as a pipeline of its own must not leave its marks on the input; and only
-/// where the input is another or has changed, so that the fit is kept otherwise.
-void vtkRidgesAndUmbilics::TakeIn(vtkPolyData* input)
+/// Passes a copy to the first stage, as a pipeline of its own must not leave its marks on the
+/// input; and only where the input is another or has changed, so that the fit is kept otherwise.
+void vtkRidgesAndUmbilics::vtkInternals::TakeIn(vtkPolyData* input)
 {
   if (input != this->LastInput || input->GetMTime() != this->LastInputTime)
   {
@@ -103,27 +111,107 @@ void vtkRidgesAndUmbilics::TakeIn(vtkPolyData* input)
   }
 }
 
+void vtkRidgesAndUmbilics::vtkInternals::ForwardProgress(vtkObject* stage, unsigned long, void*)
+{
+  auto* algorithm = static_cast<vtkAlgorithm*>(stage);
+  this->Filter->UpdateProgress(algorithm->GetProgress());
+  if (vtkRidgesCompatibility::IsAborted(this->Filter))
+  {
+    algorithm->SetAbortExecute(1);
+  }
+}
+
+void vtkRidgesAndUmbilics::vtkInternals::ForwardMessage(vtkObject*, unsigned long event, void* text)
+{
+  const std::string bare = BareText(static_cast<const char*>(text));
+  if (event == vtkCommand::WarningEvent)
+  {
+    vtkWarningWithObjectMacro(this->Filter, << bare);
+  }
+  else if (this->ErrorText.empty()) // then the executive only adds that its stage has failed
+  {
+    this->ErrorText = bare;
+  }
+}
+
+//------------------------------------------------------------------------------
+#define vtkRidgesStagePropertyMacro(stage, name, type)                                             \
+  void vtkRidgesAndUmbilics::Set##name(type value)                                                 \
+  {                                                                                                \
+    using Stage = std::decay_t<decltype(*this->Internals->stage)>;                                 \
+    SetOnStage(this, this->Internals->stage.GetPointer(), &Stage::Set##name, value);               \
+  }                                                                                                \
+  type vtkRidgesAndUmbilics::Get##name()                                                           \
+  {                                                                                                \
+    return this->Internals->stage->Get##name();                                                    \
+  }
+
+vtkRidgesStagePropertyMacro(Jets, Neighborhood, int);
+vtkRidgesStagePropertyMacro(Jets, MinimumNumberOfPoints, int);
+vtkRidgesStagePropertyMacro(Jets, NumberOfRings, int);
+vtkRidgesStagePropertyMacro(Jets, Radius, double);
+vtkRidgesStagePropertyMacro(Jets, Weighting, int);
+vtkRidgesStagePropertyMacro(Jets, StandardErrors, bool);
+vtkRidgesStagePropertyMacro(Umbilics, Method, int);
+vtkRidgesStagePropertyMacro(Umbilics, Significance, double);
+vtkRidgesStagePropertyMacro(Umbilics, PatchSize, double);
+vtkRidgesStagePropertyMacro(Ridges, TypeRule, int);
+vtkRidgesStagePropertyMacro(Ridges, CrossingRule, int);
+vtkRidgesStagePropertyMacro(Ridges, UmbilicJoining, int);
+vtkRidgesStagePropertyMacro(Ridges, LoopSignificance, double);
+vtkRidgesStagePropertyMacro(Ridges, TypeHysteresis, double);
+vtkRidgesStagePropertyMacro(Ridges, ModelSize, double);
+vtkRidgesStagePropertyMacro(Ridges, UmbilicCutOff, double);
+vtkRidgesStagePropertyMacro(Selection, MinimumSharpness, double);
+vtkRidgesStagePropertyMacro(Selection, MinimumStrength, double);
+vtkRidgesStagePropertyMacro(Selection, MinimumLength, double);
+vtkRidgesStagePropertyMacro(Selection, KeepMaximumElliptic, bool);
+vtkRidgesStagePropertyMacro(Selection, KeepMaximumHyperbolic, bool);
+vtkRidgesStagePropertyMacro(Selection, KeepMinimumElliptic, bool);
+vtkRidgesStagePropertyMacro(Selection, KeepMinimumHyperbolic, bool);
+vtkRidgesStagePropertyMacro(Selection, KeepUndecided, bool);
+vtkRidgesStagePropertyMacro(Selection, CrestOnly, bool);
+
+#undef vtkRidgesStagePropertyMacro
+
+//------------------------------------------------------------------------------
+vtkRidgesAndUmbilics::vtkRidgesAndUmbilics()
+  : Internals(new vtkInternals(this))
+{
+  this->SetNumberOfOutputPorts(3);
+}
+
+vtkRidgesAndUmbilics::~vtkRidgesAndUmbilics()
+{
+  delete this->Internals;
+}
+
 int vtkRidgesAndUmbilics::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
+  vtkPolyData* input = vtkRidgesGetPolyData(this, inputVector[0]);
+  if (!input)
+  {
+    return 0;
+  }
   if (input->GetNumberOfPoints() > 0 && input->GetNumberOfPolys() + input->GetNumberOfStrips() == 0)
   {
     vtkErrorMacro("The input has points, but no triangles: give the mesh of a surface.");
     return 0;
   }
 
-  this->TakeIn(input);
-  this->ErrorText.clear();
-  for (vtkPolyDataAlgorithm* stage : this->GetStages())
+  vtkInternals& internals = *this->Internals;
+  internals.TakeIn(input);
+  internals.ErrorText.clear();
+  for (vtkPolyDataAlgorithm* stage : internals.GetStages())
   {
     stage->Update();
-    if (!this->ErrorText.empty())
+    if (!internals.ErrorText.empty())
     {
-      vtkErrorMacro(<< this->ErrorText);
+      vtkErrorMacro(<< internals.ErrorText);
       return 0;
     }
-    if (this->GetAbortExecute())
+    if (vtkRidgesCompatibility::IsAborted(this))
     {
       // Taken back, as VTK after 9.1 does not do so itself; and what it has left is not its output.
       stage->SetAbortExecute(0);
@@ -132,16 +220,16 @@ int vtkRidgesAndUmbilics::RequestData(
     }
   }
 
-  vtkPolyData::GetData(outputVector, RIDGES)->ShallowCopy(this->Selection->GetOutput());
-  vtkPolyData::GetData(outputVector, UMBILICS)->ShallowCopy(this->Umbilics->GetOutput(1));
-  vtkPolyData::GetData(outputVector, MESH)->ShallowCopy(this->Umbilics->GetOutput(0));
+  vtkPolyData::GetData(outputVector, RIDGES)->ShallowCopy(internals.Selection->GetOutput());
+  vtkPolyData::GetData(outputVector, UMBILICS)->ShallowCopy(internals.Umbilics->GetOutput(1));
+  vtkPolyData::GetData(outputVector, MESH)->ShallowCopy(internals.Umbilics->GetOutput(0));
   return 1;
 }
 
 void vtkRidgesAndUmbilics::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  for (vtkPolyDataAlgorithm* stage : this->GetStages())
+  for (vtkPolyDataAlgorithm* stage : this->Internals->GetStages())
   {
     os << indent << stage->GetClassName() << ":\n";
     stage->PrintSelf(os, indent.GetNextIndent());

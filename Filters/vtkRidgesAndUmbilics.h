@@ -26,26 +26,15 @@
 #define vtkRidgesAndUmbilics_h
 
 #include "vtkFiltersRidgesModule.h" // For export macro
-#include "vtkJetFitting.h"          // For the stage
-#include "vtkNew.h"                 // For the stages
+#include "vtkJetFitting.h"          // For its enums
 #include "vtkPolyDataAlgorithm.h"
-#include "vtkRidgeExtraction.h"      // For the stage
-#include "vtkRidgeSharpnessFilter.h" // For the stage
-#include "vtkUmbilicDetection.h"     // For the stage
-
-#include <array>  // For the stages
-#include <string> // For the error
+#include "vtkRidgeExtraction.h"  // For its enums
+#include "vtkUmbilicDetection.h" // For its enums
 
 /// A property of a stage, under the same name.
-#define vtkRidgesForwardMacro(stage, name, type)                                                   \
-  void Set##name(type value)                                                                       \
-  {                                                                                                \
-    this->stage->Set##name(value);                                                                 \
-  }                                                                                                \
-  type Get##name()                                                                                 \
-  {                                                                                                \
-    return this->stage->Get##name();                                                               \
-  }
+#define vtkRidgesStagePropertyMacro(name, type)                                                    \
+  void Set##name(type value);                                                                      \
+  type Get##name()
 
 class VTKFILTERSRIDGES_EXPORT vtkRidgesAndUmbilics : public vtkPolyDataAlgorithm
 {
@@ -67,20 +56,19 @@ public:
    * How neighbourhoods are chosen, one of vtkJetFitting::NeighborhoodType, and how their points are
    * weighted, one of vtkJetFitting::WeightingType. See vtkJetFitting.
    */
-  vtkRidgesForwardMacro(Jets, Neighborhood, int);
+  vtkRidgesStagePropertyMacro(Neighborhood, int);
   void SetNeighborhoodToPointCount() { this->SetNeighborhood(vtkJetFitting::BY_POINT_COUNT); }
   void SetNeighborhoodToRings() { this->SetNeighborhood(vtkJetFitting::BY_RINGS); }
   void SetNeighborhoodToRadius() { this->SetNeighborhood(vtkJetFitting::BY_RADIUS); }
   void SetNeighborhoodToAutomatic() { this->SetNeighborhood(vtkJetFitting::AUTOMATIC); }
-  vtkRidgesForwardMacro(Jets, MinimumNumberOfPoints, int);
-  vtkRidgesForwardMacro(Jets, NumberOfRings, int);
-  vtkRidgesForwardMacro(Jets, Radius, double);
-  vtkRidgesForwardMacro(Jets, Weighting, int);
+  vtkRidgesStagePropertyMacro(MinimumNumberOfPoints, int);
+  vtkRidgesStagePropertyMacro(NumberOfRings, int);
+  vtkRidgesStagePropertyMacro(Radius, double);
+  vtkRidgesStagePropertyMacro(Weighting, int);
   void SetWeightingToUniform() { this->SetWeighting(vtkJetFitting::UNIFORM); }
   void SetWeightingToGaussian() { this->SetWeighting(vtkJetFitting::GAUSSIAN); }
-  vtkRidgesForwardMacro(Jets, StandardErrors, bool);
+  vtkRidgesStagePropertyMacro(StandardErrors, bool);
   vtkBooleanMacro(StandardErrors, bool);
-  int GetSelectedNumberOfRings() { return this->Jets->GetSelectedNumberOfRings(); }
   ///@}
 
   ///@{
@@ -88,11 +76,11 @@ public:
    * Umbilics: how they are found, one of vtkUmbilicDetection::Methods, which of them noise may have
    * caused, and how large their patches are. See vtkUmbilicDetection.
    */
-  vtkRidgesForwardMacro(Umbilics, Method, int);
+  vtkRidgesStagePropertyMacro(Method, int);
   void SetMethodToIndices() { this->SetMethod(vtkUmbilicDetection::INDICES); }
   void SetMethodToMinima() { this->SetMethod(vtkUmbilicDetection::MINIMA); }
-  vtkRidgesForwardMacro(Umbilics, Significance, double);
-  vtkRidgesForwardMacro(Umbilics, PatchSize, double);
+  vtkRidgesStagePropertyMacro(Significance, double);
+  vtkRidgesStagePropertyMacro(PatchSize, double);
   ///@}
 
   ///@{
@@ -102,48 +90,45 @@ public:
    * vtkRidgeExtraction::UmbilicJoinings, which loops and types noise may have caused, and how
    * sharpness is measured. See vtkRidgeExtraction.
    */
-  vtkRidgesForwardMacro(Ridges, TypeRule, int);
+  vtkRidgesStagePropertyMacro(TypeRule, int);
   void SetTypeRuleToFourthOrder() { this->SetTypeRule(vtkRidgeExtraction::FOURTH_ORDER); }
   void SetTypeRuleToThirdOrder() { this->SetTypeRule(vtkRidgeExtraction::THIRD_ORDER); }
-  vtkRidgesForwardMacro(Ridges, CrossingRule, int);
+  vtkRidgesStagePropertyMacro(CrossingRule, int);
   void SetCrossingRuleToForm() { this->SetCrossingRule(vtkRidgeExtraction::FORM); }
   void SetCrossingRuleToLinear() { this->SetCrossingRule(vtkRidgeExtraction::LINEAR); }
-  vtkRidgesForwardMacro(Ridges, UmbilicJoining, int);
+  vtkRidgesStagePropertyMacro(UmbilicJoining, int);
   void SetUmbilicJoiningToPatches() { this->SetUmbilicJoining(vtkRidgeExtraction::PATCHES); }
   void SetUmbilicJoiningToTriangles() { this->SetUmbilicJoining(vtkRidgeExtraction::TRIANGLES); }
-  vtkRidgesForwardMacro(Ridges, LoopSignificance, double);
-  vtkRidgesForwardMacro(Ridges, TypeHysteresis, double);
-  vtkRidgesForwardMacro(Ridges, ModelSize, double);
-  vtkRidgesForwardMacro(Ridges, UmbilicCutOff, double);
+  vtkRidgesStagePropertyMacro(LoopSignificance, double);
+  vtkRidgesStagePropertyMacro(TypeHysteresis, double);
+  vtkRidgesStagePropertyMacro(ModelSize, double);
+  vtkRidgesStagePropertyMacro(UmbilicCutOff, double);
   ///@}
 
   ///@{
   /**
    * Which ridges are kept: by default all. See vtkRidgeSharpnessFilter.
    */
-  vtkRidgesForwardMacro(Selection, MinimumSharpness, double);
-  vtkRidgesForwardMacro(Selection, MinimumStrength, double);
-  vtkRidgesForwardMacro(Selection, MinimumLength, double);
-  vtkRidgesForwardMacro(Selection, KeepMaximumElliptic, bool);
+  vtkRidgesStagePropertyMacro(MinimumSharpness, double);
+  vtkRidgesStagePropertyMacro(MinimumStrength, double);
+  vtkRidgesStagePropertyMacro(MinimumLength, double);
+  vtkRidgesStagePropertyMacro(KeepMaximumElliptic, bool);
   vtkBooleanMacro(KeepMaximumElliptic, bool);
-  vtkRidgesForwardMacro(Selection, KeepMaximumHyperbolic, bool);
+  vtkRidgesStagePropertyMacro(KeepMaximumHyperbolic, bool);
   vtkBooleanMacro(KeepMaximumHyperbolic, bool);
-  vtkRidgesForwardMacro(Selection, KeepMinimumElliptic, bool);
+  vtkRidgesStagePropertyMacro(KeepMinimumElliptic, bool);
   vtkBooleanMacro(KeepMinimumElliptic, bool);
-  vtkRidgesForwardMacro(Selection, KeepMinimumHyperbolic, bool);
+  vtkRidgesStagePropertyMacro(KeepMinimumHyperbolic, bool);
   vtkBooleanMacro(KeepMinimumHyperbolic, bool);
-  vtkRidgesForwardMacro(Selection, KeepUndecided, bool);
+  vtkRidgesStagePropertyMacro(KeepUndecided, bool);
   vtkBooleanMacro(KeepUndecided, bool);
-  vtkRidgesForwardMacro(Selection, CrestOnly, bool);
+  vtkRidgesStagePropertyMacro(CrestOnly, bool);
   vtkBooleanMacro(CrestOnly, bool);
   ///@}
 
-  /// The properties are those of the stages.
-  vtkMTimeType GetMTime() override;
-
 protected:
   vtkRidgesAndUmbilics();
-  ~vtkRidgesAndUmbilics() override = default;
+  ~vtkRidgesAndUmbilics() override;
 
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
@@ -151,20 +136,10 @@ private:
   vtkRidgesAndUmbilics(const vtkRidgesAndUmbilics&) = delete;
   void operator=(const vtkRidgesAndUmbilics&) = delete;
 
-  std::array<vtkPolyDataAlgorithm*, 4> GetStages();
-  void TakeIn(vtkPolyData* input);
-  void ForwardProgress(vtkObject* stage, unsigned long, void*);
-  void ForwardMessage(vtkObject* caller, unsigned long event, void* text);
-
-  vtkNew<vtkJetFitting> Jets;
-  vtkNew<vtkUmbilicDetection> Umbilics;
-  vtkNew<vtkRidgeExtraction> Ridges;
-  vtkNew<vtkRidgeSharpnessFilter> Selection;
-  const vtkPolyData* LastInput = nullptr; ///< To compare with only.
-  vtkMTimeType LastInputTime = 0;
-  std::string ErrorText; ///< Of the stages, in this update.
+  class vtkInternals;
+  vtkInternals* const Internals;
 };
 
-#undef vtkRidgesForwardMacro
+#undef vtkRidgesStagePropertyMacro
 
 #endif

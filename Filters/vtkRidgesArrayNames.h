@@ -32,6 +32,11 @@ constexpr const char* P1Error = "P1Error";
 constexpr const char* P2Error = "P2Error";
 ///@}
 
+/// @name Mesh, field data, of vtkJetFitting
+///@{
+constexpr const char* SelectedNumberOfRings = "SelectedNumberOfRings";
+///@}
+
 /// @name Mesh, cell data, of vtkUmbilicDetection
 ///@{
 constexpr const char* UmbilicPatch = "UmbilicPatch";

@@ -7,8 +7,10 @@
 
 #include "vtkCallbackCommand.h"
 #include "vtkCellArray.h"
+#include "vtkFieldData.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
+#include "vtkRidgeSharpnessFilter.h"
 #include "vtkRidgesAndUmbilics.h"
 #include "vtkRidgesArrayNames.h"
 
@@ -226,13 +228,39 @@ TEST(RidgesAndUmbilics, HasTheDefaultsOfItsStages)
   EXPECT_EQ(filter->GetMinimumSharpness(), chain.selection->GetMinimumSharpness());
 }
 
-TEST(RidgesAndUmbilics, ReportsTheSelectedNumberOfRings)
+TEST(RidgesAndUmbilics, OutputsTheSelectedNumberOfRings)
 {
   vtkNew<vtkRidgesAndUmbilics> filter;
   filter->SetInputData(EllipsoidData(16));
   filter->SetNeighborhoodToAutomatic();
   filter->Update();
-  EXPECT_EQ(filter->GetSelectedNumberOfRings(), 2); // without noise, the least
+  vtkFieldData* field = filter->GetOutput(vtkRidgesAndUmbilics::MESH)->GetFieldData();
+  EXPECT_EQ(Value(field, names::SelectedNumberOfRings, 0), 2.0); // without noise, the least
+}
+
+TEST(RidgesAndUmbilics, IsModifiedExactlyWhereAPropertyChanges)
+{
+  vtkNew<vtkRidgesAndUmbilics> filter;
+  int events = 0;
+  vtkNew<vtkCallbackCommand> count;
+  count->SetClientData(&events);
+  count->SetCallback(
+    [](vtkObject*, unsigned long, void* data, void*) { ++*static_cast<int*>(data); });
+  filter->AddObserver(vtkCommand::ModifiedEvent, count);
+  const auto expectEvents = [&filter, &events](int expected, const auto& set)
+  {
+    const vtkMTimeType before = filter->GetMTime();
+    events = 0;
+    set();
+    EXPECT_EQ(events, expected);
+    EXPECT_EQ(filter->GetMTime() != before, expected > 0);
+  };
+  expectEvents(1, [&filter] { filter->SetPatchSize(3.0); });
+  expectEvents(0, [&filter] { filter->SetPatchSize(3.0); });
+  expectEvents(1, [&filter] { filter->SetNumberOfRings(-5); }); // clamped to 1
+  expectEvents(0, [&filter] { filter->SetNumberOfRings(1); });
+  expectEvents(1, [&filter] { filter->CrestOnlyOn(); });
+  expectEvents(0, [&filter] { filter->SetNeighborhoodToPointCount(); });
 }
 
 TEST(RidgesAndUmbilics, RunsAgainOnlyWhatHasChanged)

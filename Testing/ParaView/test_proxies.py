@@ -66,9 +66,8 @@ class TestProxies(unittest.TestCase):
         four = arrays(fetch(jets))["point FitScale"]
         self.assertTrue(np.all(four > two))
         jets.Neighborhood = "Automatic"
-        jets.UpdatePipeline()
-        jets.SMProxy.UpdatePropertyInformation()
-        self.assertEqual(jets.GetPropertyValue("SelectedNumberOfRings"), 2)
+        rings = fetch(jets).GetFieldData().GetArray("SelectedNumberOfRings")
+        self.assertEqual(rings.GetValue(0), 2)
 
     def test_properties_have_an_effect(self):
         whole = simple.RidgesAndUmbilics(Input=example(32))

@@ -68,15 +68,14 @@ class Setting:
 
 
 class TestParaViewProxies(unittest.TestCase):
-    def for_each_property(self, check, information=False):
+    def for_each_property(self, check):
         """Calls check with each element and a new object; how often that was."""
         calls = 0
         for name, proxy in proxies().items():
             for element in properties(proxy):
-                if (element.get("information_only") == "1") == information:
-                    with self.subTest(f"{name}: {element.get('name')}"):
-                        check(element, getattr(vtkridges, name)())
-                        calls += 1
+                with self.subTest(f"{name}: {element.get('name')}"):
+                    check(element, getattr(vtkridges, name)())
+                    calls += 1
         return calls
 
     def test_every_class_has_a_proxy(self):
@@ -85,19 +84,9 @@ class TestParaViewProxies(unittest.TestCase):
     def test_every_setter_has_a_property_and_the_other_way_round(self):
         for name, proxy in proxies().items():
             with self.subTest(name):
-                commands = [
-                    element.get("command")
-                    for element in properties(proxy)
-                    if element.get("information_only") != "1"
-                ]
+                commands = [element.get("command") for element in properties(proxy)]
                 self.assertEqual(len(commands), len(set(commands)))
                 self.assertEqual(set(commands), setters(getattr(vtkridges, name)))
-
-    def test_information_comes_from_a_getter(self):
-        def check(element, instance):
-            self.assertTrue(callable(getattr(instance, element.get("command"))))
-
-        self.assertGreater(self.for_each_property(check, information=True), 0)
 
     def test_defaults_and_types(self):
         def check(element, instance):
@@ -170,7 +159,6 @@ class TestParaViewProxies(unittest.TestCase):
             self.assertGreater(len(element.find("Documentation").text.strip()), 10)
 
         self.for_each_property(check)
-        self.for_each_property(check, information=True)
 
     def test_labels_give_python_the_names_of_the_classes(self):
         for name, proxy in proxies().items():

@@ -13,6 +13,7 @@
 #include "Report.h"
 
 #include "vtkDataArray.h"
+#include "vtkFieldData.h"
 #include "vtkPNGWriter.h"
 #include "vtkPointData.h"
 #include "vtkRidgesArrayNames.h"
@@ -255,10 +256,10 @@ void RunFilters(const Options& options, Filters& filters, Stages& stages, Result
     run("checks", filters.coherence);
     results.checks = filters.coherence->GetOutput();
   }
-  results.selectedRings = jetFitting->GetNeighborhood() == vtkJetFitting::AUTOMATIC
-    ? jetFitting->GetSelectedNumberOfRings()
-    : 0;
   results.mesh = filters.umbilics->GetOutput();
+  vtkDataArray* rings =
+    results.mesh->GetFieldData()->GetArray(vtkRidgesArrayNames::SelectedNumberOfRings);
+  results.selectedRings = rings ? static_cast<int>(rings->GetComponent(0, 0)) : 0;
   results.umbilics = vtkPolyData::SafeDownCast(filters.umbilics->GetOutput(1));
   results.allRidges = filters.ridges->GetOutput();
   results.ridges = filters.sharpness->GetOutput();
