@@ -8,6 +8,7 @@
 #include "Core/Mesh/RingNeighborhood.h"
 #include "vtkRidgesBatches.h"
 #include "vtkRidgesFitPoints.h"
+#include "vtkRidgesGhosts.h"
 #include "vtkRidgesMesh.h"
 #include "vtkRidgesMongeOutput.h"
 #include "vtkRidgesRequest.h"
@@ -26,6 +27,7 @@
 #include <cmath>
 #include <memory>
 #include <sstream>
+#include <string>
 
 vtkStandardNewMacro(vtkJetFitting);
 
@@ -100,12 +102,12 @@ std::string Complaint(vtkRidgesMesh& mesh, const ridges::OrderedRings& rings, vt
   {
     anyBits |= statuses[p];
   }
-  const auto count = [statuses, points, anyBits](int bit)
+  const auto count = [statuses, points, anyBits, &mesh](int bit)
   {
     vtkIdType sum = 0;
     for (vtkIdType p = 0; (anyBits & bit) && p < points; ++p)
     {
-      sum += (statuses[p] & bit) ? 1 : 0;
+      sum += (statuses[p] & bit) && !mesh.IsHidden(static_cast<ridges::Id>(p)) ? 1 : 0;
     }
     return sum;
   };
@@ -166,6 +168,13 @@ const char* vtkJetFitting::GetWeightingAsString() const
   return this->Weighting == GAUSSIAN ? "Gaussian" : "Uniform";
 }
 
+int vtkJetFitting::RequestUpdateExtent(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkRidgesRequestGhostLevels(inputVector[0], vtkRidgesGhostLevelsOf(this));
+  return this->Superclass::RequestUpdateExtent(request, inputVector, outputVector);
+}
+
 int vtkJetFitting::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
@@ -197,9 +206,10 @@ int vtkJetFitting::RequestData(
   settings.rule.radius = this->Radius;
 
   vtkRidgesMesh mesh;
-  if (!mesh.Build(input, {}, ridges::TriangleMesh::Edges::NotBuilt))
+  const std::string faults = mesh.Build(input, {}, ridges::TriangleMesh::Edges::NotBuilt);
+  if (!faults.empty())
   {
-    vtkErrorMacro("The mesh has more points or triangles than 32-bit numbering allows.");
+    vtkErrorMacro("The mesh cannot be used: " << faults << ".");
     return 0;
   }
   const ridges::TriangleMesh& triangles = mesh.GetTriangles();
@@ -234,6 +244,7 @@ int vtkJetFitting::RequestData(
   {
     return 1;
   }
+  vtkRidgesWarnOfMissingGhosts(this, inputVector[0]);
   const std::string complaint = Complaint(mesh, rings, arrays.GetStatus());
   if (!complaint.empty())
   {

@@ -46,7 +46,8 @@
  * threads, any SMP back end and any numbering of points and cells; between machines with and
  * without fused multiply-add k, b and P differ by round-off (1e-12, 1e-10 and 1e-10 relative, on
  * clean meshes). No value is NaN: where nothing can be fitted all values are 0 and FitStatus is
- * FIT_INVALID. Polygons and strips are triangulated.
+ * FIT_INVALID. Polygons and strips are triangulated. For composite data and ghost cells see
+ * Documentation/Arrays.md.
  *
  * @warning The triangles must be consistently oriented: flipping the orientation changes the
  * sign of the curvatures and swaps maximum and minimum (k1' = -k2, k2' = -k1).
@@ -180,6 +181,7 @@ public:
 protected:
   vtkJetFitting() = default;
   ~vtkJetFitting() override = default;
+  int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int Degree = 4;
   int MongeOrder = 4;

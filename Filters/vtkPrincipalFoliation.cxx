@@ -112,6 +112,11 @@ private:
 
 } // namespace
 
+vtkPrincipalFoliation::vtkPrincipalFoliation()
+{
+  vtkRidgesChooseMongeArrays(this);
+}
+
 int vtkPrincipalFoliation::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {

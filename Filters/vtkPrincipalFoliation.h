@@ -12,6 +12,8 @@
  * MinimumDirection of vtkJetFitting; FitStatus, if present, marks invalid points, whose
  * triangles are left out. Lines end at the cell array UmbilicPatch of vtkUmbilicDetection, if
  * present.
+ * Arrays of other names can be chosen (SetInputArrayToProcess). For these, composite data and ghost
+ * cells see Documentation/Arrays.md.
  *
  * Output port 0: a polyline per curvature line; a loop comes back to its first point.
  *
@@ -155,7 +157,7 @@ public:
   ///@}
 
 protected:
-  vtkPrincipalFoliation() = default;
+  vtkPrincipalFoliation();
   ~vtkPrincipalFoliation() override = default;
 
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;

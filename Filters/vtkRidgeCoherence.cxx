@@ -114,6 +114,7 @@ void Store(const std::vector<ridges::CoherenceCheck>& checks, const ridges::Ridg
 vtkRidgeCoherence::vtkRidgeCoherence()
 {
   this->SetNumberOfInputPorts(3);
+  vtkRidgesChooseMongeArrays(this);
 }
 
 int vtkRidgeCoherence::FillInputPortInformation(int port, vtkInformation* info)
@@ -134,7 +135,7 @@ int vtkRidgeCoherence::RequestData(
     return 0;
   }
   vtkRidgesPictureInput input;
-  const std::string faults = input.Fetch(vtkPolyData::GetData(inputVector[0]),
+  const std::string faults = input.Fetch(this, vtkPolyData::GetData(inputVector[0]),
     vtkPolyData::GetData(inputVector[1]), vtkPolyData::GetData(inputVector[2]));
   if (!faults.empty())
   {

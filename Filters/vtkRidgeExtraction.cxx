@@ -9,6 +9,7 @@
 #include "Core/Umbilics/UmbilicForm.h"
 #include "vtkRidgesArrayNames.h"
 #include "vtkRidgesCollect.h"
+#include "vtkRidgesGhosts.h"
 #include "vtkRidgesMongeInput.h"
 #include "vtkRidgesPolylines.h"
 #include "vtkRidgesRequest.h"
@@ -74,6 +75,10 @@ void StorePurplePoints(const vtkRidgesMesh& mesh, const std::vector<ridges::Purp
   triangle->SetName(names::Triangle);
   for (const ridges::PurplePoint& point : found)
   {
+    if (!mesh.IsOwned(point.triangle))
+    {
+      continue;
+    }
     const vtkIdType id = points->InsertNextPoint(point.position.data());
     vertices->InsertNextCell(1, &id);
     maximumRidge->InsertNextValue(point.blueRidge);
@@ -92,6 +97,14 @@ void StorePurplePoints(const vtkRidgesMesh& mesh, const std::vector<ridges::Purp
 vtkRidgeExtraction::vtkRidgeExtraction()
 {
   this->SetNumberOfOutputPorts(2);
+  vtkRidgesChooseMongeArrays(this);
+}
+
+int vtkRidgeExtraction::RequestUpdateExtent(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkRidgesRequestGhostLevels(inputVector[0], vtkRidgesGhostLevelsOf(this));
+  return this->Superclass::RequestUpdateExtent(request, inputVector, outputVector);
 }
 
 int vtkRidgeExtraction::RequestData(

@@ -10,21 +10,21 @@
  *
  * Method: RR-5294, sections 5 and 6. A ridge crosses an edge if b0 (blue) or b3 (red) changes sign
  * along it, with the principal directions at its ends turned to an acute angle. Crossings are
- * joined inside triangles, and at umbilics according to UmbilicJoining. See
- * Documentation/Theory.md.
+ * joined inside triangles, and at umbilics according to UmbilicJoining (Documentation/Theory.md).
  *
  * Input: a mesh with the point arrays MaximumCurvature, MinimumCurvature, MaximumDirection,
  * MinimumDirection and ThirdOrder of vtkJetFitting, and, needed by the fourth-order type rule only,
  * FourthOrder or else P1 and P2; with FourthOrder types are more reliable near umbilics. FitStatus,
  * if present, marks invalid points, whose triangles are left out. The umbilics that
  * vtkUmbilicDetection marks on the mesh are used if present.
+ * Arrays of other names can be chosen (SetInputArrayToProcess). For these, composite data and ghost
+ * cells see Documentation/Arrays.md.
  *
  * Output port 0: a polyline per run of one type of a ridge. Consecutive polylines of one ridge
- * share their end point and RidgeId. Arrays, of one component, which Documentation/Arrays.md
- * explains: on cells RidgeType (see RidgeTypes), Crest and Closed (0 or 1), RidgeId, Length (L),
- * Strength and Sharpness (no unit); on points Curvature (1/L), SecondDerivative (1/L^3), Umbilic
- * (id or -1), TurningPoint (0 or 1), EdgePoint0, EdgePoint1 (ends of the mesh edge crossed, or -1)
- * and EdgeParameter (0 to 1). Without fourth order there are no Sharpness and SecondDerivative.
+ * share their end point and RidgeId. Arrays: on cells RidgeType (see RidgeTypes), Crest, Closed,
+ * RidgeId, Length, Strength and Sharpness; on points Curvature, SecondDerivative, Umbilic,
+ * TurningPoint, EdgePoint0, EdgePoint1 and EdgeParameter. Without fourth order there are no
+ * Sharpness and SecondDerivative.
  *
  * Output port 1, if FindPurplePoints is on: a vertex per purple point, with the point arrays
  * MaximumRidgeId and MinimumRidgeId, the RidgeId of the two ridges that cross there, and Triangle,
@@ -181,6 +181,7 @@ protected:
   vtkRidgeExtraction();
   ~vtkRidgeExtraction() override = default;
 
+  int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
   bool ExtractMaximum = true;

@@ -4,6 +4,7 @@
 
 #include "vtkRidgeSharpnessFilter.h"
 #include "vtkRidgesCompatibility.h"
+#include "vtkRidgesGhosts.h"
 #include "vtkRidgesRequest.h"
 
 #include "vtkCommand.h"
@@ -186,6 +187,16 @@ vtkRidgesAndUmbilics::~vtkRidgesAndUmbilics()
   delete this->Internals;
 }
 
+int vtkRidgesAndUmbilics::RequestUpdateExtent(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkRidgesRequestGhostLevels(inputVector[0],
+    vtkRidgesGhostLevelsOf(this->Internals->Jets) +
+      vtkRidgesGhostLevelsOf(this->Internals->Umbilics) +
+      vtkRidgesGhostLevelsOf(this->Internals->Ridges));
+  return this->Superclass::RequestUpdateExtent(request, inputVector, outputVector);
+}
+
 int vtkRidgesAndUmbilics::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
@@ -199,6 +210,8 @@ int vtkRidgesAndUmbilics::RequestData(
     vtkErrorMacro("The input has points, but no triangles: give the mesh of a surface.");
     return 0;
   }
+
+  vtkRidgesWarnOfMissingGhosts(this, inputVector[0]);
 
   vtkInternals& internals = *this->Internals;
   internals.TakeIn(input);

@@ -130,6 +130,7 @@ protected:
   vtkRidgesAndUmbilics();
   ~vtkRidgesAndUmbilics() override;
 
+  int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:

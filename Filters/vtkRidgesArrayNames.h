@@ -32,6 +32,14 @@ constexpr const char* P1Error = "P1Error";
 constexpr const char* P2Error = "P2Error";
 ///@}
 
+/**
+ * The Monge arrays in the order of the indices by which SetInputArrayToProcess of a filter chooses
+ * others: index 0 is MaximumCurvature, and so on.
+ */
+constexpr const char* MongeInputs[] = { MaximumCurvature, MinimumCurvature, MaximumDirection,
+  MinimumDirection, ThirdOrder, FourthOrder, P1, P2, FitStatus, MaximumCurvatureError,
+  MinimumCurvatureError, ThirdOrderError, FitResidual, FitScale };
+
 /// @name Mesh, field data, of vtkJetFitting
 ///@{
 constexpr const char* SelectedNumberOfRings = "SelectedNumberOfRings";

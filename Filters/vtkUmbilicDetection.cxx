@@ -5,6 +5,7 @@
 #include "Core/Umbilics/GapMinima.h"
 #include "vtkRidgesBatches.h"
 #include "vtkRidgesCollect.h"
+#include "vtkRidgesGhosts.h"
 #include "vtkRidgesIndexSearch.h"
 #include "vtkRidgesMongeInput.h"
 #include "vtkRidgesRequest.h"
@@ -98,6 +99,14 @@ bool FindMinima(
 vtkUmbilicDetection::vtkUmbilicDetection()
 {
   this->SetNumberOfOutputPorts(2);
+  vtkRidgesChooseMongeArrays(this);
+}
+
+int vtkUmbilicDetection::RequestUpdateExtent(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  vtkRidgesRequestGhostLevels(inputVector[0], vtkRidgesGhostLevelsOf(this));
+  return this->Superclass::RequestUpdateExtent(request, inputVector, outputVector);
 }
 
 int vtkUmbilicDetection::RequestData(

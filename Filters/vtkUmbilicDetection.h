@@ -22,6 +22,8 @@
  * The standard error of k1 - k2 is taken from MaximumCurvatureError and MinimumCurvatureError if
  * present, else estimated from FitResidual and FitScale; without these only opposite umbilics in
  * neighbouring triangles are cancelled.
+ * Arrays of other names can be chosen (SetInputArrayToProcess). For these, composite data and ghost
+ * cells see Documentation/Arrays.md.
  *
  * Output port 0: the mesh with the umbilics marked on it, for vtkRidgeExtraction:
  *
@@ -129,6 +131,7 @@ protected:
   vtkUmbilicDetection();
   ~vtkUmbilicDetection() override = default;
 
+  int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
   int Method = INDICES;

@@ -9,15 +9,20 @@
 #include "vtkArrayDispatch.h"
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
+#include "vtkCellData.h"
+#include "vtkCommand.h"
 #include "vtkDataArray.h"
 #include "vtkDataArrayRange.h"
+#include "vtkDataSetAttributes.h"
 #include "vtkInformation.h"
 #include "vtkInformationObjectBaseKey.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 #include "vtkSMPTools.h"
+#include "vtkWeakPointer.h"
 
 #include <algorithm>
 #include <array>
@@ -159,6 +164,9 @@ struct Origin
     object(polys, 2, this->objects);
     object(polys->GetConnectivityArray(), 3, this->objects);
     object(polys->GetOffsetsArray(), 4, this->objects);
+    const char* ghosts = vtkDataSetAttributes::GhostArrayName();
+    object(data->GetCellData()->GetAbstractArray(ghosts), 5, this->objects);
+    object(data->GetPointData()->GetAbstractArray(ghosts), 6, this->objects);
     this->numberOfPoints = data->GetNumberOfPoints();
     this->numberOfPolys = polys->GetNumberOfCells();
   }
@@ -169,7 +177,7 @@ struct Origin
       this->numberOfPolys == other.numberOfPolys;
   }
 
-  std::array<std::pair<vtkObject*, vtkMTimeType>, 5> objects;
+  std::array<std::pair<vtkObject*, vtkMTimeType>, 7> objects;
   vtkIdType numberOfPoints;
   vtkIdType numberOfPolys;
 };
@@ -211,16 +219,18 @@ struct vtkRidgesMesh::Adjacency
 {
   void FetchPoints(vtkPolyData* data);
   bool IsOf(vtkPolyData* data) const;
-  ridges::Buffer<Triangle> FetchGoodTriangles(
-    vtkPolyData* data, const std::vector<std::uint8_t>& usable);
+  ridges::Buffer<Triangle> FetchGoodTriangles(vtkPolyData* data,
+    const std::vector<std::uint8_t>& usable, const vtkRidgesGhosts& ghosts, Duplicates duplicates);
 
   std::vector<double> convertedPoints;
   const double* points = nullptr; ///< x, y, z; those of the data set, if they are doubles.
   ridges::TriangleMesh triangles;
-  std::vector<Id> polyIds; ///< Empty where all polys are triangles.
+  std::vector<Id> polyIds;            ///< Empty where all polys are triangles.
+  std::vector<std::uint8_t> isHidden; ///< Per point: hidden, or of a hidden cell. May be empty.
   vtkIdType unusableTriangles = 0;
   std::mutex edgesMutex;
   bool hasEdges = false;
+  bool isWhole = true; ///< Nothing is left out that another filter may want.
 };
 
 void vtkRidgesMesh::Adjacency::FetchPoints(vtkPolyData* data)
@@ -241,38 +251,66 @@ bool vtkRidgesMesh::Adjacency::IsOf(vtkPolyData* data) const
   return vtkRidgesDoubles(coordinates, copy) == this->points;
 }
 
-/// One by one, leaving out what is bad.
-ridges::Buffer<Triangle> vtkRidgesMesh::Adjacency::FetchGoodTriangles(
-  vtkPolyData* data, const std::vector<std::uint8_t>& usable)
+/// One by one, leaving out what is bad or hidden.
+ridges::Buffer<Triangle> vtkRidgesMesh::Adjacency::FetchGoodTriangles(vtkPolyData* data,
+  const std::vector<std::uint8_t>& usable, const vtkRidgesGhosts& ghosts, Duplicates duplicates)
 {
   const vtkIdType numberOfPoints = data->GetNumberOfPoints();
   std::vector<std::uint8_t> isUsable(numberOfPoints, 0);
+  this->isHidden.assign(ghosts.HasHidden() ? numberOfPoints : 0, 0);
   for (vtkIdType p = 0; p < numberOfPoints; ++p)
   {
     const bool finite = ridges::AllFinite(this->points + 3 * p, this->points + 3 * p + 3);
     isUsable[p] = finite && (usable.empty() || usable[p] != 0) ? 1 : 0;
+    if (ghosts.IsHiddenPoint(p))
+    {
+      this->isHidden[p] = 1;
+    }
   }
+  const auto isThere = [numberOfPoints](vtkIdType p) { return p >= 0 && p < numberOfPoints; };
+  const auto isGood = [&isUsable, isThere](vtkIdType p) { return isThere(p) && isUsable[p]; };
+  const auto isHiddenPoint = [&ghosts, isThere](vtkIdType p)
+  { return isThere(p) && ghosts.IsHiddenPoint(p); };
+
   vtkCellArray* polys = data->GetPolys();
+  const vtkIdType firstPoly = data->GetNumberOfVerts() + data->GetNumberOfLines();
   ridges::Buffer<Triangle> fetched(polys->GetNumberOfCells());
   this->polyIds.reserve(polys->GetNumberOfCells());
-  const auto isGood = [&isUsable, numberOfPoints](vtkIdType p)
-  { return p >= 0 && p < numberOfPoints && isUsable[p]; };
   const auto cell = vtk::TakeSmartPointer(polys->NewIterator());
   for (cell->GoToFirstCell(); !cell->IsDoneWithTraversal(); cell->GoToNextCell())
   {
     vtkIdType size = 0;
     const vtkIdType* corners = nullptr;
     cell->GetCurrentCell(size, corners);
-    if (size == 3 && corners[0] != corners[1] && corners[1] != corners[2] &&
+    const vtkIdType id = cell->GetCurrentCellId();
+    if (ghosts.IsHiddenCell(firstPoly + id) || std::any_of(corners, corners + size, isHiddenPoint))
+    {
+      std::for_each(corners, corners + size,
+        [this, isThere](vtkIdType p)
+        {
+          if (isThere(p))
+          {
+            this->isHidden[p] = 1;
+          }
+        });
+    }
+    else if (duplicates == Duplicates::LeftOut && ghosts.IsDuplicateCell(firstPoly + id))
+    {
+      continue;
+    }
+    else if (size == 3 && corners[0] != corners[1] && corners[1] != corners[2] &&
       corners[2] != corners[0] && std::all_of(corners, corners + 3, isGood))
     {
       fetched[this->polyIds.size()] = { static_cast<Id>(corners[0]), static_cast<Id>(corners[1]),
         static_cast<Id>(corners[2]) };
-      this->polyIds.push_back(static_cast<Id>(cell->GetCurrentCellId()));
+      this->polyIds.push_back(static_cast<Id>(id));
+    }
+    else
+    {
+      ++this->unusableTriangles;
     }
   }
   fetched.Shorten(this->polyIds.size());
-  this->unusableTriangles = polys->GetNumberOfCells() - static_cast<vtkIdType>(fetched.size());
   return fetched;
 }
 
@@ -282,8 +320,39 @@ public:
   static Carrier* New();
   vtkTypeMacro(Carrier, vtkObject);
 
+  ~Carrier() override
+  {
+    if (this->Watched)
+    {
+      this->Watched->RemoveObserver(this->Tag);
+    }
+  }
+
+  /// Stays with a data set until that loses its arrays, by Initialize or ReleaseData.
+  void StayWith(vtkPolyData* data)
+  {
+    this->Data = data;
+    this->Watched = data->GetPointData();
+    this->Tag = this->Watched->AddObserver(vtkCommand::ModifiedEvent, this, &Carrier::LeaveIfEmpty);
+    data->GetInformation()->Set(MESH(), this);
+  }
+
   std::shared_ptr<Adjacency> mesh;
   std::unique_ptr<Origin> madeFrom;
+
+private:
+  void LeaveIfEmpty()
+  {
+    const vtkSmartPointer<Carrier> untilReturn(this);
+    if (this->Data && this->Watched->GetNumberOfArrays() == 0)
+    {
+      this->Data->GetInformation()->Remove(MESH());
+    }
+  }
+
+  vtkWeakPointer<vtkPolyData> Data;
+  vtkWeakPointer<vtkPointData> Watched;
+  unsigned long Tag = 0;
 };
 
 vtkStandardNewMacro(vtkRidgesMesh::Carrier);
@@ -292,10 +361,14 @@ vtkInformationKeyMacro(vtkRidgesMesh, MESH, ObjectBase);
 
 void vtkRidgesMesh::HandOnWith(vtkPolyData* output) const
 {
+  if (!this->Shared->isWhole)
+  {
+    return;
+  }
   vtkNew<Carrier> carrier;
   carrier->mesh = this->Shared;
   carrier->madeFrom = std::make_unique<Origin>(output);
-  output->GetInformation()->Set(MESH(), carrier);
+  carrier->StayWith(output);
 }
 
 bool vtkRidgesMesh::TakeHandedOn(vtkPolyData* input, const std::vector<std::uint8_t>& usable)
@@ -320,38 +393,42 @@ bool vtkRidgesMesh::TakeHandedOn(vtkPolyData* input, const std::vector<std::uint
       return false;
     }
   }
-  this->PolyData = input;
-  this->NumberOfTriangulatedCells = 0;
   this->Take(carrier->mesh);
   return true;
 }
 
-bool vtkRidgesMesh::Build(
-  vtkPolyData* input, const std::vector<std::uint8_t>& usable, ridges::TriangleMesh::Edges edges)
-{
-  if (!this->TakeHandedOn(input, usable) && !this->BuildAnew(input, usable))
-  {
-    return false;
-  }
-  if (edges == ridges::TriangleMesh::Edges::Built)
-  {
-    this->BuildEdges();
-  }
-  return true;
-}
-
-bool vtkRidgesMesh::BuildAnew(vtkPolyData* input, const std::vector<std::uint8_t>& usable)
+std::string vtkRidgesMesh::Build(vtkPolyData* input, const std::vector<std::uint8_t>& usable,
+  ridges::TriangleMesh::Edges edges, Duplicates duplicates)
 {
   this->PolyData = input;
   this->NumberOfTriangulatedCells = 0;
+  std::string faults = this->Ghosts.Read(input);
+  const bool leavesOut = duplicates == Duplicates::LeftOut && this->HasDuplicates();
+  if (faults.empty() && (leavesOut || !this->TakeHandedOn(input, usable)))
+  {
+    faults = this->BuildAnew(input, usable, duplicates);
+  }
+  if (faults.empty() && edges == ridges::TriangleMesh::Edges::Built)
+  {
+    this->BuildEdges();
+  }
+  return faults;
+}
+
+std::string vtkRidgesMesh::BuildAnew(
+  vtkPolyData* input, const std::vector<std::uint8_t>& usable, Duplicates duplicates)
+{
+  const char* const tooLarge = "it has more points or triangles than 32-bit numbering allows";
   if (!IsSmallEnough(input))
   {
-    return false;
+    return tooLarge;
   }
   auto adjacency = std::make_shared<Adjacency>();
   adjacency->FetchPoints(input);
   ridges::Buffer<Triangle> triangles;
-  if (!FetchAllTriangles(input, adjacency->points, usable, triangles))
+  const bool all =
+    !this->Ghosts.HasHidden() && (duplicates == Duplicates::Kept || !this->HasDuplicates());
+  if (!all || !FetchAllTriangles(input, adjacency->points, usable, triangles))
   {
     this->NumberOfTriangulatedCells = CountTriangulatedCells(input);
     if (this->NumberOfTriangulatedCells > 0)
@@ -359,16 +436,19 @@ bool vtkRidgesMesh::BuildAnew(vtkPolyData* input, const std::vector<std::uint8_t
       this->PolyData = vtkRidgesTriangulate(input);
       if (!IsSmallEnough(this->PolyData))
       {
-        return false;
+        return tooLarge;
       }
+      this->Ghosts.Read(this->PolyData);
     }
-    triangles = adjacency->FetchGoodTriangles(this->PolyData, usable);
+    triangles = adjacency->FetchGoodTriangles(this->PolyData, usable, this->Ghosts, duplicates);
+    adjacency->isWhole =
+      duplicates == Duplicates::Kept && std::find(usable.begin(), usable.end(), 0) == usable.end();
   }
   const auto numberOfPoints = static_cast<Id>(this->PolyData->GetNumberOfPoints());
   adjacency->triangles = ridges::TriangleMesh(adjacency->points, numberOfPoints,
     std::move(triangles), ridges::TriangleMesh::Edges::NotBuilt, LendThreads, NumberOfShares());
   this->Take(std::move(adjacency));
-  return true;
+  return {};
 }
 
 void vtkRidgesMesh::Take(std::shared_ptr<Adjacency> adjacency)
@@ -393,6 +473,12 @@ void vtkRidgesMesh::BuildEdges()
 vtkIdType vtkRidgesMesh::GetNumberOfUnusableTriangles() const
 {
   return this->Shared->unusableTriangles;
+}
+
+bool vtkRidgesMesh::IsHidden(ridges::Id point) const
+{
+  return !this->Shared->isHidden.empty() && this->Shared->isHidden[point] != 0 &&
+    this->Triangles->TrianglesAround(point).size() == 0;
 }
 
 vtkIdType vtkRidgesMesh::CountCoincidentPoints() const

@@ -5,12 +5,14 @@
 
 #include "Core/Mesh/TriangleMesh.h"
 #include "vtkRidgesCompatibility.h"
+#include "vtkRidgesGhosts.h"
 
 #include "vtkSmartPointer.h"
 #include "vtkType.h"
 
 #include <cstdint>
 #include <memory>
+#include <string>
 #include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -21,7 +23,8 @@ VTK_ABI_NAMESPACE_END
 /**
  * The triangles of a vtkPolyData as the numerics want them, private to the module. Polygons and
  * strips are triangulated; triangles that cannot be used are left out here (not in the data set)
- * and counted. Verts and lines stay where they are.
+ * and counted, those that vtkGhostType hides without being counted. Verts and lines stay where they
+ * are.
  *
  * Filters hand the mesh on with their output, so that those behind them need not build it again.
  * It is known there only, not in copies of the output, and taken only as long as the points, the
@@ -30,17 +33,26 @@ VTK_ABI_NAMESPACE_END
 class vtkRidgesMesh
 {
 public:
+  /// Whether cells stay that vtkGhostType marks as duplicates of cells in other pieces.
+  enum class Duplicates
+  {
+    Kept,
+    LeftOut
+  };
+
   /**
    * Triangles with a point p for which usable[p] is 0 are left out as well; an empty vector means
-   * that all points may be used. False where the mesh is larger than 32-bit numbering allows.
+   * that all points may be used. The result is what is wrong with the mesh; empty if nothing is.
    */
-  bool Build(vtkPolyData* input, const std::vector<std::uint8_t>& usable = {},
-    ridges::TriangleMesh::Edges edges = ridges::TriangleMesh::Edges::Built);
+  std::string Build(vtkPolyData* input, const std::vector<std::uint8_t>& usable = {},
+    ridges::TriangleMesh::Edges edges = ridges::TriangleMesh::Edges::Built,
+    Duplicates duplicates = Duplicates::Kept);
 
   /// Numbers the edges, if that has not been done yet.
   void BuildEdges();
 
-  /// For the filters that take `output`, a shallow copy of GetPolyData().
+  /// For the filters that take `output`, a shallow copy of GetPolyData(); but not if triangles were
+  /// left out that others may use.
   void HandOnWith(vtkPolyData* output) const;
 
   /// The input itself or, if it holds polygons or strips, its triangulation.
@@ -60,6 +72,18 @@ public:
   /// Triangles left out as two of their corners are one point, or a point is not finite or missing.
   vtkIdType GetNumberOfUnusableTriangles() const;
 
+  /// Whether there are duplicates of triangles in other pieces.
+  bool HasDuplicates() const { return this->Ghosts.HasDuplicates(); }
+
+  /// Whether a triangle belongs to this piece. One that does not only serves its neighbours.
+  bool IsOwned(ridges::Id triangle) const
+  {
+    return !this->HasDuplicates() || !this->Ghosts.IsDuplicateCell(this->GetCellId(triangle));
+  }
+
+  /// Whether a point has no triangles because these, or the point itself, are hidden.
+  bool IsHidden(ridges::Id point) const;
+
   /// Points that coincide with another one: a seam that merging them would close.
   vtkIdType CountCoincidentPoints() const;
 
@@ -71,10 +95,12 @@ private:
   static vtkInformationObjectBaseKey* MESH();
 
   bool TakeHandedOn(vtkPolyData* input, const std::vector<std::uint8_t>& usable);
-  bool BuildAnew(vtkPolyData* input, const std::vector<std::uint8_t>& usable);
+  std::string BuildAnew(
+    vtkPolyData* input, const std::vector<std::uint8_t>& usable, Duplicates duplicates);
   void Take(std::shared_ptr<Adjacency> adjacency);
 
   vtkSmartPointer<vtkPolyData> PolyData;
+  vtkRidgesGhosts Ghosts; ///< Of PolyData.
   std::shared_ptr<Adjacency> Shared;
   const ridges::TriangleMesh* Triangles = nullptr;  ///< Of Shared, as PolyIds.
   const std::vector<ridges::Id>* PolyIds = nullptr; ///< Empty where all polys are triangles.

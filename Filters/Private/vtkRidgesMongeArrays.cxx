@@ -6,6 +6,8 @@
 #include "Core/Fit/JetFit.h"
 #include "vtkRidgesArrayNames.h"
 
+#include "vtkDataObject.h"
+#include "vtkInformation.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkSMPTools.h"
@@ -16,47 +18,79 @@
 
 namespace names = vtkRidgesArrayNames;
 
-namespace
+void vtkRidgesChooseMongeArrays(vtkAlgorithm* filter)
 {
-
-vtkRidgesArrayReader::Source PointDataOf(vtkPolyData* mesh)
-{
-  return { mesh->GetPointData(), mesh->GetNumberOfPoints(), "the point data of the mesh" };
+  int index = 0;
+  for (const char* name : names::MongeInputs)
+  {
+    filter->SetInputArrayToProcess(index++, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, name);
+  }
 }
 
-} // namespace
-
-std::string vtkRidgesMongeArrays::FetchSecondOrder(vtkPolyData* mesh)
+std::string vtkRidgesMongeArrays::FetchSecondOrder(vtkAlgorithm* filter, vtkPolyData* mesh)
 {
-  const vtkRidgesArrayReader::Source source = PointDataOf(mesh);
-  this->ReadSecondOrder(source);
-  this->ReadStatus(source);
+  this->Choose(filter, mesh);
+  this->ReadSecondOrder();
+  this->ReadStatus();
   return this->Reader.GetFaults();
 }
 
-std::string vtkRidgesMongeArrays::Fetch(vtkPolyData* mesh, bool needsFourthOrder)
+std::string vtkRidgesMongeArrays::Fetch(
+  vtkAlgorithm* filter, vtkPolyData* mesh, bool needsFourthOrder)
 {
-  const vtkRidgesArrayReader::Source source = PointDataOf(mesh);
-  this->ReadSecondOrder(source);
+  this->Choose(filter, mesh);
+  this->ReadSecondOrder();
   ridges::MongeField& field = this->Field;
-  field.b = this->Read(source, names::ThirdOrder, 4);
-  vtkPointData* pointData = mesh->GetPointData();
-  if (pointData->HasArray(names::FourthOrder))
+  field.b = this->Read(names::ThirdOrder, 4);
+  if (this->Has(names::FourthOrder))
   {
-    field.c = this->Read(source, names::FourthOrder, 5);
+    field.c = this->Read(names::FourthOrder, 5);
   }
-  else if (pointData->HasArray(names::P1) && pointData->HasArray(names::P2))
+  else if (this->Has(names::P1) && this->Has(names::P2))
   {
-    field.P1 = this->Read(source, names::P1, 1);
-    field.P2 = this->Read(source, names::P2, 1);
+    field.P1 = this->Read(names::P1, 1);
+    field.P2 = this->Read(names::P2, 1);
   }
   else if (needsFourthOrder)
   {
-    this->Reader.AddMissing(source, "FourthOrder (or P1 and P2)");
+    this->Reader.AddMissing(this->Source,
+      this->Chosen[names::FourthOrder] + " (or " + this->Chosen[names::P1] + " and " +
+        this->Chosen[names::P2] + ")");
   }
-  this->ReadErrors(source);
-  this->ReadStatus(source);
+  this->ReadErrors();
+  this->ReadStatus();
   return this->Reader.GetFaults();
+}
+
+/// By name, or as an attribute such as the scalars.
+void vtkRidgesMongeArrays::Choose(vtkAlgorithm* filter, vtkPolyData* mesh)
+{
+  this->Source = { mesh->GetPointData(), mesh->GetNumberOfPoints(), "the point data of the mesh" };
+  int index = 0;
+  for (const char* name : names::MongeInputs)
+  {
+    vtkInformation* info = filter->GetInputArrayInformation(index++);
+    std::string& chosen = this->Chosen[name];
+    if (info->Get(vtkDataObject::FIELD_ASSOCIATION()) != vtkDataObject::FIELD_ASSOCIATION_POINTS)
+    {
+      this->Reader.AddFault(std::string(name) + " is to be read from other than point data");
+    }
+    if (const char* byName = info->Get(vtkDataObject::FIELD_NAME()))
+    {
+      chosen = byName;
+    }
+    else if (info->Has(vtkDataObject::FIELD_ATTRIBUTE_TYPE()))
+    {
+      const int type = info->Get(vtkDataObject::FIELD_ATTRIBUTE_TYPE());
+      vtkAbstractArray* array = mesh->GetPointData()->GetAbstractAttribute(type);
+      chosen = array && array->GetName() ? array->GetName() : "";
+    }
+  }
+}
+
+bool vtkRidgesMongeArrays::Has(const char* contractName) const
+{
+  return this->Source.data->HasArray(this->Chosen.at(contractName).c_str()) != 0;
 }
 
 std::string vtkRidgesMongeArrays::GetWarning() const
@@ -67,20 +101,20 @@ std::string vtkRidgesMongeArrays::GetWarning() const
       this->NotFinite + ") and are treated as points without a fit";
 }
 
-void vtkRidgesMongeArrays::ReadSecondOrder(const vtkRidgesArrayReader::Source& source)
+void vtkRidgesMongeArrays::ReadSecondOrder()
 {
-  this->Usable.assign(source.tuples, 1);
+  this->Usable.assign(this->Source.tuples, 1);
   ridges::MongeField& field = this->Field;
-  field.k1 = this->Read(source, names::MaximumCurvature, 1);
-  field.k2 = this->Read(source, names::MinimumCurvature, 1);
-  field.d1 = this->Read(source, names::MaximumDirection, 3);
-  field.d2 = this->Read(source, names::MinimumDirection, 3);
+  field.k1 = this->Read(names::MaximumCurvature, 1);
+  field.k2 = this->Read(names::MinimumCurvature, 1);
+  field.d1 = this->Read(names::MaximumDirection, 3);
+  field.d2 = this->Read(names::MinimumDirection, 3);
 }
 
-void vtkRidgesMongeArrays::ReadErrors(const vtkRidgesArrayReader::Source& source)
+void vtkRidgesMongeArrays::ReadErrors()
 {
-  const auto read = [this, &source](const char* name, int components)
-  { return this->Read(source, name, components, vtkRidgesArrayReader::Presence::Optional); };
+  const auto read = [this](const char* name, int components)
+  { return this->Read(name, components, vtkRidgesArrayReader::Presence::Optional); };
   this->Errors.maximumCurvatureError = read(names::MaximumCurvatureError, 1);
   this->Errors.minimumCurvatureError = read(names::MinimumCurvatureError, 1);
   this->Errors.thirdOrderError = read(names::ThirdOrderError, 4);
@@ -89,14 +123,14 @@ void vtkRidgesMongeArrays::ReadErrors(const vtkRidgesArrayReader::Source& source
 }
 
 /// Last, as only values that are not finite are to be counted.
-void vtkRidgesMongeArrays::ReadStatus(const vtkRidgesArrayReader::Source& source)
+void vtkRidgesMongeArrays::ReadStatus()
 {
   this->NumberOfNotFinitePoints = std::count(this->Usable.begin(), this->Usable.end(), 0);
-  const vtkIdType* status = this->Reader.Ids(source, names::FitStatus, 0,
-    std::numeric_limits<int>::max(), vtkRidgesArrayReader::Presence::Optional);
+  const vtkIdType* status = this->Reader.Ids(this->Source, this->Chosen[names::FitStatus].c_str(),
+    0, std::numeric_limits<int>::max(), vtkRidgesArrayReader::Presence::Optional);
   if (status)
   {
-    vtkSMPTools::For(0, source.tuples,
+    vtkSMPTools::For(0, this->Source.tuples,
       [this, status](vtkIdType begin, vtkIdType end)
       {
         for (vtkIdType p = begin; p < end; ++p)
@@ -110,13 +144,14 @@ void vtkRidgesMongeArrays::ReadStatus(const vtkRidgesArrayReader::Source& source
   }
 }
 
-const double* vtkRidgesMongeArrays::Read(const vtkRidgesArrayReader::Source& source,
-  const char* name, int components, vtkRidgesArrayReader::Presence presence)
+const double* vtkRidgesMongeArrays::Read(
+  const char* contractName, int components, vtkRidgesArrayReader::Presence presence)
 {
-  const double* values = this->Reader.Doubles(source, name, components, presence);
+  const std::string& name = this->Chosen[contractName];
+  const double* values = this->Reader.Doubles(this->Source, name.c_str(), components, presence);
   if (values && this->FlagNotFinite(values, components))
   {
-    this->NotFinite += (this->NotFinite.empty() ? "" : ", ") + std::string(name);
+    this->NotFinite += (this->NotFinite.empty() ? "" : ", ") + name;
   }
   return values;
 }

@@ -8,6 +8,7 @@
 #include "vtkRidgesArrayReader.h"
 
 #include <cstdint>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -15,8 +16,12 @@ VTK_ABI_NAMESPACE_BEGIN
 class vtkPolyData;
 VTK_ABI_NAMESPACE_END
 
+/// Makes a filter read the arrays of vtkJetFitting unless the user chooses others: to be called in
+/// its constructor.
+void vtkRidgesChooseMongeArrays(vtkAlgorithm* filter);
+
 /**
- * The Monge arrays on a mesh, as the numerics want them, private to the module.
+ * The Monge arrays on a mesh that a filter reads, as the numerics want them, private to the module.
  */
 class vtkRidgesMongeArrays
 {
@@ -25,10 +30,10 @@ public:
    * Fetches the arrays. All that is wrong with them becomes one text, which is empty if nothing is.
    * FourthOrder, or else P1 and P2, is required only where the caller needs it.
    */
-  std::string Fetch(vtkPolyData* mesh, bool needsFourthOrder);
+  std::string Fetch(vtkAlgorithm* filter, vtkPolyData* mesh, bool needsFourthOrder);
 
   /// The same for curvatures and directions alone.
-  std::string FetchSecondOrder(vtkPolyData* mesh);
+  std::string FetchSecondOrder(vtkAlgorithm* filter, vtkPolyData* mesh);
 
   const ridges::MongeField& GetField() const { return this->Field; }
 
@@ -42,16 +47,20 @@ public:
   std::string GetWarning() const;
 
 private:
-  void ReadSecondOrder(const vtkRidgesArrayReader::Source& source);
-  void ReadErrors(const vtkRidgesArrayReader::Source& source);
-  void ReadStatus(const vtkRidgesArrayReader::Source& source);
-  const double* Read(const vtkRidgesArrayReader::Source& source, const char* name, int components,
+  void Choose(vtkAlgorithm* filter, vtkPolyData* mesh);
+  bool Has(const char* contractName) const;
+  void ReadSecondOrder();
+  void ReadErrors();
+  void ReadStatus();
+  const double* Read(const char* contractName, int components,
     vtkRidgesArrayReader::Presence presence = vtkRidgesArrayReader::Presence::Required);
   bool FlagNotFinite(const double* values, int components);
 
   ridges::MongeField Field;
   ridges::FitErrorSource Errors;
   vtkRidgesArrayReader Reader;
+  vtkRidgesArrayReader::Source Source;       ///< The point data of the mesh.
+  std::map<std::string, std::string> Chosen; ///< Names of the contract, and of the arrays to read.
   std::vector<std::uint8_t> Usable;
   std::string NotFinite; ///< Names of arrays.
   vtkIdType NumberOfNotFinitePoints = 0;

@@ -9,31 +9,33 @@ bool vtkRidgesMongeInput::Fetch(
   vtkAlgorithm* filter, vtkPolyData* input, bool needsFourthOrder, Unusable unusable)
 {
   const bool isEmpty = input->GetNumberOfPoints() == 0;
-  return this->Build(
-    filter, input, isEmpty ? "" : this->arrays.Fetch(input, needsFourthOrder), unusable);
+  const std::string faults = isEmpty ? "" : this->arrays.Fetch(filter, input, needsFourthOrder);
+  return this->Build(filter, input, faults, unusable, vtkRidgesMesh::Duplicates::Kept);
 }
 
 bool vtkRidgesMongeInput::FetchSecondOrder(vtkAlgorithm* filter, vtkPolyData* input)
 {
   const bool isEmpty = input->GetNumberOfPoints() == 0;
-  return this->Build(
-    filter, input, isEmpty ? "" : this->arrays.FetchSecondOrder(input), Unusable::LeftOut);
+  const std::string faults = isEmpty ? "" : this->arrays.FetchSecondOrder(filter, input);
+  return this->Build(filter, input, faults, Unusable::LeftOut, vtkRidgesMesh::Duplicates::LeftOut);
 }
 
-bool vtkRidgesMongeInput::Build(
-  vtkAlgorithm* filter, vtkPolyData* input, const std::string& faults, Unusable unusable)
+bool vtkRidgesMongeInput::Build(vtkAlgorithm* filter, vtkPolyData* input,
+  const std::string& faultsOfArrays, Unusable unusable, vtkRidgesMesh::Duplicates duplicates)
 {
-  if (!faults.empty())
+  if (!faultsOfArrays.empty())
   {
     vtkErrorWithObjectMacro(
-      filter, "The input does not have the arrays of vtkJetFitting: " << faults << ".");
+      filter, "The input does not have the arrays of vtkJetFitting: " << faultsOfArrays << ".");
     return false;
   }
   const std::vector<std::uint8_t> all;
-  if (!this->mesh.Build(input, unusable == Unusable::Kept ? all : this->arrays.GetUsable()))
+  const std::string faults =
+    this->mesh.Build(input, unusable == Unusable::Kept ? all : this->arrays.GetUsable(),
+      ridges::TriangleMesh::Edges::Built, duplicates);
+  if (!faults.empty())
   {
-    vtkErrorWithObjectMacro(
-      filter, "The mesh has more points or triangles than 32-bit numbering allows.");
+    vtkErrorWithObjectMacro(filter, "The mesh cannot be used: " << faults << ".");
     return false;
   }
   if (this->mesh.GetNumberOfTriangulatedCells() > 0)

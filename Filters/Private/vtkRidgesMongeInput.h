@@ -25,15 +25,15 @@ public:
   bool Fetch(vtkAlgorithm* filter, vtkPolyData* input, bool needsFourthOrder,
     Unusable unusable = Unusable::LeftOut);
 
-  /// The same for curvatures and directions alone.
+  /// The same for curvatures and directions alone, without triangles that duplicate others.
   bool FetchSecondOrder(vtkAlgorithm* filter, vtkPolyData* input);
 
   vtkRidgesMongeArrays arrays;
   vtkRidgesMesh mesh;
 
 private:
-  bool Build(
-    vtkAlgorithm* filter, vtkPolyData* input, const std::string& faults, Unusable unusable);
+  bool Build(vtkAlgorithm* filter, vtkPolyData* input, const std::string& faultsOfArrays,
+    Unusable unusable, vtkRidgesMesh::Duplicates duplicates);
 };
 
 #endif

@@ -43,10 +43,10 @@ ridges::RidgeType TypeAt(vtkDataArray* array, vtkIdType tuple)
 } // namespace
 
 std::string vtkRidgesPictureInput::Fetch(
-  vtkPolyData* mesh, vtkPolyData* ridges, vtkPolyData* umbilics)
+  vtkAlgorithm* filter, vtkPolyData* mesh, vtkPolyData* ridges, vtkPolyData* umbilics)
 {
   this->Faults.clear();
-  this->FetchMesh(mesh);
+  this->FetchMesh(filter, mesh);
   this->FetchUmbilics(umbilics);
   this->FetchRidges(ridges);
   return this->Faults;
@@ -57,16 +57,16 @@ void vtkRidgesPictureInput::AddFaults(const std::string& faults)
   this->Faults += (this->Faults.empty() || faults.empty() ? "" : ", ") + faults;
 }
 
-void vtkRidgesPictureInput::FetchMesh(vtkPolyData* mesh)
+void vtkRidgesPictureInput::FetchMesh(vtkAlgorithm* filter, vtkPolyData* mesh)
 {
   if (mesh->GetNumberOfPoints() > 0)
   {
-    const std::string faults = this->Arrays.Fetch(mesh, false);
-    this->AddFaults(faults.empty() ? "" : faults + " of the mesh");
+    this->AddFaults(this->Arrays.Fetch(filter, mesh, false));
   }
-  if (!this->Mesh.Build(mesh))
+  const std::string faults = this->Mesh.Build(mesh);
+  if (!faults.empty())
   {
-    this->AddFaults("a numbering of the mesh in 32 bits");
+    this->AddFaults(faults);
     return;
   }
   const ridges::TriangleMesh& triangles = this->Mesh.GetTriangles();

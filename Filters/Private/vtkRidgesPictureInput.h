@@ -17,14 +17,15 @@ class vtkRidgesPictureInput
 public:
   /// What is wrong with the inputs, all of it, as text; empty if nothing is. Without umbilics,
   /// those of the mesh's field data are taken.
-  std::string Fetch(vtkPolyData* mesh, vtkPolyData* ridges, vtkPolyData* umbilics);
+  std::string Fetch(
+    vtkAlgorithm* filter, vtkPolyData* mesh, vtkPolyData* ridges, vtkPolyData* umbilics);
 
   const ridges::RidgePicture& GetPicture() const { return this->Picture; }
   const vtkRidgesMesh& GetMesh() const { return this->Mesh; }
 
 private:
   void AddFaults(const std::string& faults);
-  void FetchMesh(vtkPolyData* mesh);
+  void FetchMesh(vtkAlgorithm* filter, vtkPolyData* mesh);
   void FetchUmbilics(vtkPolyData* umbilics);
   void FetchRidges(vtkPolyData* ridges);
   ridges::Id TriangleOf(vtkIdType cell) const;

@@ -11,8 +11,52 @@
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 
+#include <algorithm>
+
 namespace names = vtkRidgesArrayNames;
 using ridges::Id;
+
+namespace
+{
+
+/// The triangles that a vertex of a ridge lies in; none for a turning point.
+std::vector<Id> TrianglesAt(const ridges::RidgeVertex& vertex, const ridges::TriangleMesh& mesh)
+{
+  if (vertex.umbilic != ridges::RidgeVertex::None)
+  {
+    return { vertex.umbilic };
+  }
+  if (vertex.edge == ridges::RidgeVertex::None)
+  {
+    return {};
+  }
+  const ridges::Edge& edge = mesh.EdgeAt(vertex.edge);
+  return edge.t1 < 0 ? std::vector<Id>{ edge.t0 } : std::vector<Id>{ edge.t0, edge.t1 };
+}
+
+/// The triangle of the piece between the vertices i and i + 1; where it crosses several on its way
+/// to an umbilic, that of the umbilic.
+Id TriangleOfPiece(const ridges::RidgeTrace& ridge, Id i, const ridges::TriangleMesh& mesh)
+{
+  const Id last = static_cast<Id>(ridge.vertices.size()) - 1;
+  Id from = i;
+  Id to = i + 1;
+  std::vector<Id> atStart = TrianglesAt(ridge.vertices[from], mesh);
+  std::vector<Id> atEnd = TrianglesAt(ridge.vertices[to], mesh);
+  while (atStart.empty() && from > 0)
+  {
+    atStart = TrianglesAt(ridge.vertices[--from], mesh);
+  }
+  while (atEnd.empty() && to < last)
+  {
+    atEnd = TrianglesAt(ridge.vertices[++to], mesh);
+  }
+  const auto common =
+    std::find_first_of(atStart.begin(), atStart.end(), atEnd.begin(), atEnd.end());
+  return common != atStart.end() ? *common : (atEnd.size() == 1 ? atEnd : atStart).front();
+}
+
+} // namespace
 
 vtkRidgesPolylines::vtkRidgesPolylines(const vtkRidgesMesh& mesh,
   const vtkRidgesUmbilicMarks& umbilics, const ridges::UmbilicCutOff& cutOff, double modelSize)
@@ -41,7 +85,7 @@ vtkRidgesPolylines::vtkRidgesPolylines(const vtkRidgesMesh& mesh,
 void vtkRidgesPolylines::AddRidge(const ridges::RidgeTrace& ridge)
 {
   std::vector<vtkIdType> ids(ridge.vertices.size(), -1);
-  const auto idOf = [&](Id i)
+  const auto idOf = [this, &ids, &ridge](Id i)
   {
     // A loop comes back to its first point.
     const Id slot = ridge.closed && i + 1 == static_cast<Id>(ids.size()) ? 0 : i;
@@ -56,7 +100,7 @@ void vtkRidgesPolylines::AddRidge(const ridges::RidgeTrace& ridge)
   const Id last = static_cast<Id>(ridge.types.size()) - 1;
   vtkNew<vtkIdList> line;
   std::vector<ridges::RidgePoint> points;
-  for (const ridges::RidgeRun& run : RunsOf(ridge))
+  for (const ridges::RidgeRun& run : this->OwnedRunsOf(ridge))
   {
     const ridges::RidgeType type = ridge.types[run.first];
     const bool crest = ridge.IsCrest(run.first);
@@ -94,6 +138,34 @@ void vtkRidgesPolylines::AddRidge(const ridges::RidgeTrace& ridge)
     this->RidgeId->InsertNextValue(ridgeId);
     this->Closed->InsertNextValue(ridge.closed ? 1 : 0);
   }
+}
+
+/// The runs of one type, without their parts in triangles that belong to another piece.
+std::vector<ridges::RidgeRun> vtkRidgesPolylines::OwnedRunsOf(const ridges::RidgeTrace& ridge) const
+{
+  std::vector<ridges::RidgeRun> runs = RunsOf(ridge);
+  if (!this->Mesh.HasDuplicates())
+  {
+    return runs;
+  }
+  const auto isOwned = [this, &ridge](Id piece)
+  { return this->Mesh.IsOwned(TriangleOfPiece(ridge, piece, this->Mesh.GetTriangles())); };
+  std::vector<ridges::RidgeRun> owned;
+  for (const ridges::RidgeRun& run : runs)
+  {
+    for (Id i = run.first; i < run.last; ++i)
+    {
+      if (isOwned(i))
+      {
+        if (owned.empty() || i == run.first || owned.back().last != i)
+        {
+          owned.push_back({ i, i });
+        }
+        owned.back().last = i + 1;
+      }
+    }
+  }
+  return owned;
 }
 
 vtkIdType vtkRidgesPolylines::InsertVertex(const ridges::RidgeVertex& vertex)

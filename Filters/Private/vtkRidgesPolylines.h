@@ -38,6 +38,7 @@ public:
   void Store(vtkPolyData* output, bool hasFourthOrder);
 
 private:
+  std::vector<ridges::RidgeRun> OwnedRunsOf(const ridges::RidgeTrace& ridge) const;
   vtkIdType InsertVertex(const ridges::RidgeVertex& vertex);
 
   const vtkRidgesMesh& Mesh;

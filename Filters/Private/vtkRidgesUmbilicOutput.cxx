@@ -67,7 +67,7 @@ void vtkRidgesUmbilicOutput::MarkOnMesh(const vtkRidgesMesh& mesh, vtkPolyData* 
     position->InsertNextTuple(umbilic.position.data());
     index->InsertNextValue(umbilic.index);
     ridgeCount->InsertNextValue(umbilic.ridgeCount);
-    indexSum += umbilic.index;
+    indexSum += mesh.IsOwned(umbilic.triangle) ? umbilic.index : 0.0;
   }
   auto sum = MakeArray<vtkDoubleArray>(names::UmbilicIndexSum);
   sum->InsertNextValue(indexSum);
@@ -116,11 +116,16 @@ void vtkRidgesUmbilicOutput::StoreVertices(const vtkRidgesMesh& mesh, vtkPolyDat
   auto triangle = MakeArray<vtkIdTypeArray>(names::Triangle);
   auto pattern = MakeArray<vtkIntArray>(names::Pattern);
   auto touchesBorder = MakeArray<vtkIntArray>(names::TouchesBorder);
-  for (const ridges::Umbilic& umbilic : this->umbilics)
+  for (std::size_t i = 0; i < this->umbilics.size(); ++i)
   {
+    const ridges::Umbilic& umbilic = this->umbilics[i];
+    if (!mesh.IsOwned(umbilic.triangle))
+    {
+      continue;
+    }
     const vtkIdType p = points->InsertNextPoint(umbilic.position.data());
     vertices->InsertNextCell(1, &p);
-    id->InsertNextValue(p);
+    id->InsertNextValue(static_cast<vtkIdType>(i));
     index->InsertNextValue(umbilic.index);
     ridgeCount->InsertNextValue(umbilic.ridgeCount);
     thirdOrderIndex->InsertNextValue(umbilic.thirdOrderIndex);

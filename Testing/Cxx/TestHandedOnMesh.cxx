@@ -7,6 +7,9 @@
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
+#include "vtkInformation.h"
+#include "vtkInformationIterator.h"
+#include "vtkInformationKey.h"
 #include "vtkJetFitting.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
@@ -193,6 +196,42 @@ TEST(HandedOnMesh, IsSharedByFiltersInDifferentThreads)
       other.join();
     });
   EXPECT_EQ(bytes, expected);
+}
+
+//------------------------------------------------------------------------------
+TEST(HandedOnMesh, IsFreedWithTheData)
+{
+  const auto isThere = [](vtkDataObject* data)
+  {
+    vtkNew<vtkInformationIterator> key;
+    key->SetInformation(data->GetInformation());
+    for (key->InitTraversal(); !key->IsDoneWithTraversal(); key->GoToNextItem())
+    {
+      if (std::string(key->GetCurrentKey()->GetLocation()) == "vtkRidgesMesh")
+      {
+        return true;
+      }
+    }
+    return false;
+  };
+  vtkNew<vtkJetFitting> jets;
+  jets->SetInputData(EllipsoidData(8));
+  jets->Update();
+  EXPECT_TRUE(isThere(jets->GetOutput()));
+  jets->GetOutput()->ReleaseData();
+  EXPECT_FALSE(isThere(jets->GetOutput()));
+
+  jets->ReleaseDataFlagOn();
+  vtkNew<vtkUmbilicDetection> umbilics;
+  umbilics->SetInputConnection(jets->GetOutputPort());
+  umbilics->Update();
+  EXPECT_EQ(jets->GetOutput()->GetNumberOfPoints(), 0);
+  EXPECT_FALSE(isThere(jets->GetOutput()));
+  EXPECT_TRUE(isThere(umbilics->GetOutput()));
+
+  vtkNew<vtkPolyData> copy;
+  copy->ShallowCopy(umbilics->GetOutput());
+  EXPECT_FALSE(isThere(copy));
 }
 
 //------------------------------------------------------------------------------

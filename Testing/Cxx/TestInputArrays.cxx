@@ -230,3 +230,74 @@ TEST(InputArrays, ValuesThatAreNotFiniteAreCountedInOneWarning)
   expectWarning(ridges, all);
   expectWarning(foliation, all);
 }
+
+// By other names, of a mesh that also has arrays of the usual names with other values.
+TEST(InputArrays, MayBeChosenByIndex)
+{
+  const std::string expected = BytesBehind(FittedEllipsoid());
+  const auto mesh = FittedEllipsoid();
+  vtkNew<vtkUmbilicDetection> umbilics;
+  vtkNew<vtkRidgeExtraction> ridges;
+  vtkNew<vtkPrincipalFoliation> foliation;
+  int index = 0;
+  for (const char* name : names::MongeInputs)
+  {
+    if (vtkDataArray* array = mesh->GetPointData()->GetArray(name))
+    {
+      vtkSmartPointer<vtkDataArray> own;
+      own.TakeReference(array->NewInstance());
+      own->DeepCopy(array);
+      own->SetName((std::string("My") + name).c_str());
+      mesh->GetPointData()->AddArray(own);
+      array->Fill(7.0);
+      for (vtkAlgorithm* filter : { static_cast<vtkAlgorithm*>(umbilics),
+             static_cast<vtkAlgorithm*>(ridges), static_cast<vtkAlgorithm*>(foliation) })
+      {
+        filter->SetInputArrayToProcess(
+          index, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, own->GetName());
+      }
+    }
+    ++index;
+  }
+  umbilics->SetInputData(mesh);
+  ridges->SetInputConnection(umbilics->GetOutputPort());
+  foliation->SetInputConnection(umbilics->GetOutputPort());
+  foliation->SetSeparation(0.3);
+  ridges->Update();
+  foliation->Update();
+  EXPECT_TRUE(BytesOf(umbilics->GetOutput(1)) + BytesOf(ridges->GetOutput()) +
+      BytesOf(foliation->GetOutput()) ==
+    expected);
+}
+
+TEST(InputArrays, MayBeChosenAsAttribute)
+{
+  const auto mesh = FittedEllipsoid();
+  mesh->GetPointData()->SetActiveScalars(names::MaximumCurvature);
+  vtkNew<vtkRidgeExtraction> byName;
+  byName->SetInputData(mesh);
+  byName->Update();
+  vtkNew<vtkRidgeExtraction> byAttribute;
+  byAttribute->SetInputArrayToProcess(
+    0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataSetAttributes::SCALARS);
+  byAttribute->SetInputData(mesh);
+  byAttribute->Update();
+  EXPECT_GT(byName->GetOutput()->GetNumberOfLines(), 0);
+  EXPECT_TRUE(BytesOf(byAttribute->GetOutput()) == BytesOf(byName->GetOutput()));
+}
+
+TEST(InputArrays, ThoseChosenAreNamedInErrors)
+{
+  vtkNew<vtkRidgeExtraction> ridges;
+  const MessageRecorder recorder(ridges);
+  ridges->SetInputArrayToProcess(0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, "Kmax");
+  ridges->SetInputArrayToProcess(
+    4, 0, 0, vtkDataObject::FIELD_ASSOCIATION_CELLS, names::ThirdOrder);
+  ridges->SetInputData(FittedEllipsoid());
+  ridges->Update();
+  EXPECT_EQ(recorder.NumberOfErrors(), 1u);
+  EXPECT_NE(recorder.ErrorText().find("lacks Kmax;"), std::string::npos) << recorder.ErrorText();
+  EXPECT_NE(recorder.ErrorText().find("ThirdOrder is to be read from other than point data"),
+    std::string::npos)
+    << recorder.ErrorText();
+}
