@@ -6,6 +6,7 @@
 #include "Core/Fit/ScaleSelection.h"
 #include "Core/Mesh/OrderedRings.h"
 #include "Core/Mesh/RingNeighborhood.h"
+#include "vtkRidgesArrayNames.h"
 #include "vtkRidgesBatches.h"
 #include "vtkRidgesFitPoints.h"
 #include "vtkRidgesGhosts.h"
@@ -28,6 +29,8 @@
 #include <memory>
 #include <sstream>
 #include <string>
+
+namespace names = vtkRidgesArrayNames;
 
 vtkStandardNewMacro(vtkJetFitting);
 

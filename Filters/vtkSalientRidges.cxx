@@ -222,7 +222,7 @@ bool vtkSalientRidges::vtkInternals::FindNoiseFloor(vtkPolyData* smoothed, doubl
   vtkPolyData* again = this->Smooth(this->Noisy, noisy, 0.44, 0.6);
   this->Silent = false;
   vtkRidgesMongeArrays arrays;
-  if (!again || !arrays.FetchSecondOrder(again).empty())
+  if (!again || !arrays.FetchSecondOrder(this->Filter, again).empty())
   {
     return false;
   }
@@ -249,7 +249,7 @@ bool vtkSalientRidges::vtkInternals::FindLines(
   }
   const ridges::TriangleMesh& mesh = monge.mesh.GetTriangles();
   const vtkRidgesUmbilicMarks umbilics(monge.mesh);
-  const vtkRidgesSearch search(monge.mesh, monge.arrays.GetField(), umbilics);
+  const vtkRidgesSearch search(monge, umbilics);
   const double diameter = 2.0 * ridges::SmallestEnclosingSphere(mesh).radius;
   const double scale = this->Filter->RelativeScale * diameter;
   ridges::FoldRule folding;

@@ -71,6 +71,7 @@ void vtkRidgesMongeArrays::Choose(vtkAlgorithm* filter, vtkPolyData* mesh)
   {
     vtkInformation* info = filter->GetInputArrayInformation(index++);
     std::string& chosen = this->Chosen[name];
+    chosen = name; // of a filter that lets no others be chosen
     if (info->Get(vtkDataObject::FIELD_ASSOCIATION()) != vtkDataObject::FIELD_ASSOCIATION_POINTS)
     {
       this->Reader.AddFault(std::string(name) + " is to be read from other than point data");
