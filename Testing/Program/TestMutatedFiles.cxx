@@ -37,11 +37,12 @@ std::size_t Below(std::size_t limit, Random& random)
 
 void ChangeBytes(std::string& bytes, Random& random)
 {
-  const std::string likely = "\0\x01\x7f\x80\xff 0-9.,eE#/\n\r\t<>\"";
+  // With the zero that ends it.
+  constexpr char likely[] = "\x01\x7f\x80\xff 0-9.,eE#/\n\r\t<>\"";
   for (std::size_t i = 1 + Below(8, random); i > 0; --i)
   {
     char& byte = bytes[Below(bytes.size(), random)];
-    byte = Below(2, random) == 0 ? likely[Below(likely.size(), random)]
+    byte = Below(2, random) == 0 ? likely[Below(sizeof(likely), random)]
                                  : static_cast<char>(byte ^ (1 << Below(8, random)));
   }
 }

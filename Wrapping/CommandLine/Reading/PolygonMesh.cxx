@@ -48,11 +48,11 @@ vtkSmartPointer<vtkPolyData> PolygonMesh::ToPolyData() const
     vtkpoints->SetPoint(static_cast<vtkIdType>(i), this->points[i].data());
   }
   vtkNew<vtkTypeInt64Array> offsets;
-  offsets->SetNumberOfValues(static_cast<vtkIdType>(this->faceEnds.size() + 1));
+  offsets->SetNumberOfValues(static_cast<vtkIdType>(this->faceEnds.size()) + 1);
   offsets->SetValue(0, 0);
   for (std::size_t i = 0; i < this->faceEnds.size(); ++i)
   {
-    offsets->SetValue(static_cast<vtkIdType>(i + 1), static_cast<vtkTypeInt64>(this->faceEnds[i]));
+    offsets->SetValue(static_cast<vtkIdType>(i) + 1, static_cast<vtkTypeInt64>(this->faceEnds[i]));
   }
   vtkNew<vtkTypeInt64Array> connectivity;
   connectivity->SetNumberOfValues(static_cast<vtkIdType>(this->corners.size()));

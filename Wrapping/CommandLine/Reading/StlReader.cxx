@@ -42,7 +42,7 @@ PolygonMesh ParseBinary(std::string_view bytes)
       }
       mesh.points.push_back(point);
     }
-    const auto first = static_cast<vtkIdType>(3 * i);
+    const vtkIdType first = 3 * static_cast<vtkIdType>(i);
     mesh.AddTriangle(first, first + 1, first + 2);
   }
   return mesh;
