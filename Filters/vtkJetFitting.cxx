@@ -135,7 +135,7 @@ std::string Complaint(vtkRidgesMesh& mesh, const ridges::OrderedRings& rings, vt
     say(triangles.NumberOfNonManifoldEdges(),
       "edges with more than two triangles were taken as borders");
     say(triangles.NumberOfInconsistentEdges(),
-      "edges lie between triangles of opposite orientation (vtkPolyDataNormals can mend that)");
+      "edges lie between triangles of opposite orientation (vtkPolyDataNormals can fix that)");
   }
   say(invalid,
     "points have no fit (isolated, or too few or collinear neighbours): their values are 0");
