@@ -21,6 +21,6 @@ fi
 
 status=0
 for tree in "${trees[@]}"; do
-  ctest --test-dir "$root/$tree" --output-on-failure "$@" || status=$?
+  ctest --test-dir "$root/$tree" --parallel "$(nproc)" --output-on-failure "$@" || status=$?
 done
 exit $status
