@@ -12,10 +12,19 @@
 #include "vtkRidgeExampleSource.h"
 #include "vtkXMLPolyDataWriter.h"
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <cstdint>
 #include <cstdio>
 #include <cstring>
+#include <filesystem>
+
+#ifdef _WIN32
+#include <process.h>
+#else
+#include <unistd.h>
+#endif
 
 using program::Face;
 using program::PolygonMesh;
@@ -131,6 +140,17 @@ std::string WriteXmlVtk(const PolygonMesh& mesh, int mode, bool isEncoded, bool 
 }
 
 } // namespace
+
+std::string ScratchPath(const std::string& name)
+{
+#ifdef _WIN32
+  const auto process = _getpid();
+#else
+  const auto process = getpid();
+#endif
+  const std::string unique = "vtkridges-" + std::to_string(process) + "-" + name;
+  return (std::filesystem::path(testing::TempDir()) / unique).string();
+}
 
 std::string WritePly(const PolygonMesh& mesh, const std::string& format)
 {

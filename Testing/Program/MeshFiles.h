@@ -24,6 +24,9 @@ struct MeshBytes
 /// A mesh in every format and encoding that the program reads.
 std::vector<MeshBytes> WriteInAllFormats(const program::PolygonMesh& mesh);
 
+/// A path for files of a test, which no test in another process uses.
+std::string ScratchPath(const std::string& name);
+
 std::string WritePly(const program::PolygonMesh& mesh, const std::string& format);
 
 /// The text of the failure of ParseMesh, or "none".

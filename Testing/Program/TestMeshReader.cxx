@@ -20,11 +20,6 @@ using program::PolygonMesh;
 namespace
 {
 
-std::string PathOf(const std::string& name)
-{
-  return (std::filesystem::path(testing::TempDir()) / name).string();
-}
-
 std::string FailureOfReading(const std::string& path)
 {
   try
@@ -68,7 +63,7 @@ TEST(MeshReader, ReadsEveryFormat)
 
 TEST(MeshReader, GoesByTheExtensionInAnyCase)
 {
-  const std::string path = PathOf("Mesh.Off");
+  const std::string path = ScratchPath("Mesh.Off");
   std::ofstream(path) << "OFF 3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
   EXPECT_EQ(program::ReadMesh(path).mesh.NumberOfFaces(), 1U);
   std::filesystem::remove(path);
@@ -76,12 +71,12 @@ TEST(MeshReader, GoesByTheExtensionInAnyCase)
 
 TEST(MeshReader, NamesTheReasonWhyAFileCannotBeRead)
 {
-  EXPECT_EQ(
-    FailureOfReading(PathOf("none.off")), PathOf("none.off") + " does not exist : check the path");
+  EXPECT_EQ(FailureOfReading(ScratchPath("none.off")),
+    ScratchPath("none.off") + " does not exist : check the path");
   EXPECT_NE(FailureOfReading(testing::TempDir()).find("is a directory"), std::string::npos);
   for (const char* extension : { "off", "obj", "ply", "stl", "vtk", "vtp" })
   {
-    const std::string path = PathOf(std::string("empty.") + extension);
+    const std::string path = ScratchPath(std::string("empty.") + extension);
     std::ofstream{ path };
     EXPECT_EQ(FailureOfReading(path), path + " is empty : give a mesh");
     std::filesystem::remove(path);

@@ -4,7 +4,7 @@
 // twice. The program reads them or says in one line why not, whatever the damage.
 //
 // RIDGES_MUTANTS in the environment sets how many of each kind of file are tried, and has the
-// slowest one and the memory of the process printed.
+// slowest one printed and those that make the process take 50 MB more.
 
 #include "MeshFiles.h"
 #include "Program.h"
@@ -111,6 +111,18 @@ std::string Mutant(const std::string& original, std::size_t number)
   return bytes;
 }
 
+/// The most memory that the process has had, in MB.
+long PeakMemory()
+{
+#ifdef _WIN32
+  return 0;
+#else
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return usage.ru_maxrss / 1024;
+#endif
+}
+
 struct Outcome
 {
   int exitCode;
@@ -148,11 +160,12 @@ TEST_P(MutatedFiles, AreReadOrRejectedInOneLine)
   const char* wanted = std::getenv("RIDGES_MUTANTS");
   const std::size_t count = wanted ? std::strtoul(wanted, nullptr, 10) : 40;
   const MeshBytes file = WriteInAllFormats(Ellipsoid(2))[this->GetParam()];
-  const fs::path directory = fs::path(testing::TempDir()) / ("mutants-" + file.name);
+  const fs::path directory = ScratchPath("mutants-" + file.name);
   fs::create_directory(directory);
   const fs::path path = directory / file.name;
   std::size_t accepted = 0;
-  double slowest = 0.0;
+  std::pair<double, std::size_t> slowest;
+  long memory = PeakMemory();
   for (std::size_t i = 0; i < count; ++i)
   {
     const std::string bytes = Mutant(file.bytes, i);
@@ -160,7 +173,13 @@ TEST_P(MutatedFiles, AreReadOrRejectedInOneLine)
     const auto begin = std::chrono::steady_clock::now();
     const Outcome outcome = RunOn(path);
     const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
-    slowest = std::max(slowest, seconds.count());
+    slowest = std::max(slowest, { seconds.count(), i });
+    if (wanted && PeakMemory() > memory + 50)
+    {
+      std::cout << file.name << ", mutant " << i << ": from " << memory << " to " << PeakMemory()
+                << " MB\n";
+    }
+    memory = std::max(memory, PeakMemory());
     EXPECT_TRUE(outcome.exitCode == 0 || outcome.exitCode == 1) << "mutant " << i;
     EXPECT_TRUE(outcome.exitCode == 0 ? outcome.errors.empty() : IsOneLine(outcome.errors))
       << "mutant " << i << ": " << outcome.errors;
@@ -172,15 +191,12 @@ TEST_P(MutatedFiles, AreReadOrRejectedInOneLine)
     }
   }
   fs::remove_all(directory);
-#ifndef _WIN32
   if (wanted)
   {
-    rusage usage{};
-    getrusage(RUSAGE_SELF, &usage);
     std::cout << file.name << ": " << count << " mutants, " << accepted << " accepted, slowest "
-              << slowest << " s, memory " << usage.ru_maxrss / 1024 << " MB\n";
+              << slowest.first << " s (mutant " << slowest.second << "), memory " << memory
+              << " MB\n";
   }
-#endif
 }
 
 std::string NameOf(const testing::TestParamInfo<std::size_t>& info)

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkRidges contributors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Console.h"
+#include "MeshFiles.h"
 #include "OutputFiles.h"
 
 #include <gtest/gtest.h>
@@ -19,7 +20,7 @@ class OutputFilesTest : public testing::Test
 protected:
   void SetUp() override
   {
-    this->Directory = fs::path(testing::TempDir()) / "output-files";
+    this->Directory = ScratchPath("output-files");
     fs::remove_all(this->Directory);
     fs::create_directory(this->Directory);
   }
