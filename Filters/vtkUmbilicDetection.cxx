@@ -47,7 +47,7 @@ bool FindByIndices(
   {
     return false;
   }
-  if (search.HalfTurns() == 2 * mesh.EulerCharacteristic() || !IsClosed(mesh))
+  if (search.HalfTurns() == 2 * found.eulerCharacteristic || !IsClosed(mesh))
   {
     search.Gather(filter->GetPatchSize(), found);
     return true;
@@ -133,6 +133,7 @@ int vtkUmbilicDetection::RequestData(
     return 0;
   }
   vtkRidgesUmbilicOutput found;
+  found.eulerCharacteristic = monge.mesh.GetEulerCharacteristic();
   if (!(byIndices ? FindByIndices(this, monge, found) : FindMinima(this, monge, found)))
   {
     return 1;

@@ -15,7 +15,6 @@
 #include "vtkRidgesUmbilicOutput.h"
 
 #include "vtkPolyData.h"
-#include "vtkSMPThreadLocal.h"
 
 #include <algorithm>
 #include <utility>
@@ -75,7 +74,6 @@ struct LookAtTriangles
 
   void operator()(vtkIdType begin, vtkIdType end)
   {
-    ridges::DirectionIndex::Scratch& scratch = this->perThread.Local();
     for (auto t = static_cast<ridges::Id>(begin); t < static_cast<ridges::Id>(end); ++t)
     {
       if (!this->index.IsUsable(t))
@@ -83,7 +81,7 @@ struct LookAtTriangles
         continue;
       }
       const bool looks = this->all || this->index.MayTurn(t, this->points.isTame);
-      this->halfTurns[t] = static_cast<std::int8_t>(looks ? this->index.HalfTurns(t, scratch) : 0);
+      this->halfTurns[t] = static_cast<std::int8_t>(looks ? this->index.HalfTurns(t) : 0);
       this->isWeak[t] = ridges::IsWeak(this->points.mesh, this->field,
                           this->points.gapErrors.data(), this->significance, t)
         ? 1
@@ -109,7 +107,6 @@ struct LookAtTriangles
   const LookAtPoints& points;
   double significance;
   bool all = false; ///< Whether to trust no cheap test.
-  vtkSMPThreadLocal<ridges::DirectionIndex::Scratch> perThread;
   std::vector<std::int8_t> halfTurns;
   std::vector<std::uint8_t> isWeak;
 };

@@ -481,6 +481,11 @@ bool vtkRidgesMesh::IsHidden(ridges::Id point) const
     this->Triangles->TrianglesAround(point).size() == 0;
 }
 
+int vtkRidgesMesh::GetEulerCharacteristic() const
+{
+  return this->Triangles->EulerCharacteristic(LendThreads);
+}
+
 vtkIdType vtkRidgesMesh::CountCoincidentPoints() const
 {
   std::vector<vtkIdType> order;

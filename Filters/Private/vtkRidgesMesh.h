@@ -84,6 +84,9 @@ public:
   /// Whether a point has no triangles because these, or the point itself, are hidden.
   bool IsHidden(ridges::Id point) const;
 
+  /// Of the triangles, as TriangleMesh has it.
+  int GetEulerCharacteristic() const;
+
   /// Points that coincide with another one: a seam that merging them would close.
   vtkIdType CountCoincidentPoints() const;
 

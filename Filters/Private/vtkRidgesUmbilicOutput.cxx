@@ -72,7 +72,7 @@ void vtkRidgesUmbilicOutput::MarkOnMesh(const vtkRidgesMesh& mesh, vtkPolyData* 
   auto sum = MakeArray<vtkDoubleArray>(names::UmbilicIndexSum);
   sum->InsertNextValue(indexSum);
   auto euler = MakeArray<vtkIntArray>(names::EulerCharacteristic);
-  euler->InsertNextValue(mesh.GetTriangles().EulerCharacteristic());
+  euler->InsertNextValue(this->eulerCharacteristic);
 
   auto numberOfCancelled = MakeArray<vtkIntArray>(names::NumberOfCancelledRegions);
   numberOfCancelled->InsertNextValue(static_cast<int>(this->cancelled.size()));

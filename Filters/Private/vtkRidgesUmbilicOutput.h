@@ -25,6 +25,8 @@ public:
   /// Triangles where k1 - k2 is nowhere significant.
   std::vector<std::vector<ridges::Id>> zones;
 
+  int eulerCharacteristic = 0;
+
   /// The mesh with the cell and field arrays that mark all this on it.
   void MarkOnMesh(const vtkRidgesMesh& mesh, vtkPolyData* output) const;
 

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <utility>
 
 namespace ridges
@@ -242,12 +243,31 @@ Eigen::Vector3d TriangleMesh::AreaNormal(Id t) const
 
 Eigen::Vector3d TriangleMesh::PointNormal(Id p) const
 {
+  double area = 0.0;
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();
   for (const Id t : this->TrianglesAround(p))
   {
-    normal += this->AreaNormal(t);
+    const Eigen::Vector3d ofTriangle = this->AreaNormal(t);
+    normal += ofTriangle;
+    area += ofTriangle.norm();
+  }
+  // What is left of triangles folded flat is round-off, which depends on their order.
+  constexpr double roundOff = 1e-9;
+  if (!(normal.norm() > roundOff * area))
+  {
+    normal.setZero();
   }
   return normal;
+}
+
+std::vector<Eigen::Vector3d> TriangleMesh::PointNormals() const
+{
+  std::vector<Eigen::Vector3d> normals(this->NumberOfPoints_);
+  for (Id p = 0; p < this->NumberOfPoints_; ++p)
+  {
+    normals[p] = this->PointNormal(p);
+  }
+  return normals;
 }
 
 double TriangleMesh::MeanEdgeLength() const
@@ -260,14 +280,112 @@ double TriangleMesh::MeanEdgeLength() const
   return this->NumberOfEdges() > 0 ? sum / this->NumberOfEdges() : 0.0;
 }
 
-Id TriangleMesh::EulerCharacteristic() const
+Id TriangleMesh::EulerCharacteristic(const RangeLoop& loop) const
 {
-  Id used = 0;
-  for (Id p = 0; p < this->NumberOfPoints_; ++p)
+  std::atomic<Id> fans{ 0 };
+  loop(this->NumberOfPoints_,
+    [this, &fans](Id begin, Id end)
+    {
+      Id sum = 0;
+      for (Id p = begin; p < end; ++p)
+      {
+        sum += this->NumberOfFans(p);
+      }
+      fans += sum;
+    });
+  // A border edge has one triangle, and where an edge has more than two each has it for itself.
+  const Id sides = 3 * this->NumberOfTriangles();
+  const auto shared = static_cast<Id>(std::count_if(
+    this->Edges_.begin(), this->Edges_.end(), [](const Edge& edge) { return edge.t1 >= 0; }));
+  return fans - (sides - shared) + this->NumberOfTriangles();
+}
+
+Id TriangleMesh::NumberOfFans(Id p) const
+{
+  return this->IsSmallClosedFan(p) ? 1 : this->CountFans(p);
+}
+
+/// Whether the triangles around p are one closed fan, of one orientation and at most eight, as
+/// those of nearly all points are.
+bool TriangleMesh::IsSmallClosedFan(Id p) const
+{
+  constexpr Id most = 8;
+  const Span<Id> triangles = this->TrianglesAround(p);
+  const Id count = triangles.size();
+  if (count < 2 || count > most)
   {
-    used += this->Offsets_[p + 1] > this->Offsets_[p] ? 1 : 0;
+    return false;
   }
-  return used - this->NumberOfEdges() + this->NumberOfTriangles();
+  std::array<Id, most> from;
+  std::array<Id, most> to{};
+  from.fill(-1);
+  for (Id i = 0; i < count; ++i)
+  {
+    const Triangle& c = this->Triangles_[triangles[i]];
+    from[i] = c[0] == p ? c[1] : (c[1] == p ? c[2] : c[0]);
+    to[i] = c[0] == p ? c[2] : (c[1] == p ? c[0] : c[1]);
+  }
+  Id at = 0;
+  for (Id length = 1; length <= count; ++length)
+  {
+    at = static_cast<Id>(std::find(from.begin(), from.end(), to[at]) - from.begin());
+    if (at == most || (at == 0) != (length == count))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+/// The same by joining the triangles at the edges that they share.
+Id TriangleMesh::CountFans(Id p) const
+{
+  struct Spoke
+  {
+    Id end;
+    Id triangle;
+  };
+  const Span<Id> triangles = this->TrianglesAround(p);
+  std::vector<Spoke> spokes;
+  std::vector<Id> parent(triangles.size());
+  for (Id i = 0; i < triangles.size(); ++i)
+  {
+    parent[i] = i;
+    for (const Id q : this->Triangles_[triangles[i]])
+    {
+      if (q != p)
+      {
+        spokes.push_back({ q, i });
+      }
+    }
+  }
+  std::sort(spokes.begin(), spokes.end(),
+    [](const Spoke& a, const Spoke& b)
+    { return a.end != b.end ? a.end < b.end : a.triangle < b.triangle; });
+  const auto rootOf = [&parent](Id i)
+  {
+    while (parent[i] != i)
+    {
+      parent[i] = parent[parent[i]];
+      i = parent[i];
+    }
+    return i;
+  };
+  Id fans = triangles.size();
+  for (std::size_t i = 0; i < spokes.size();)
+  {
+    std::size_t last = i + 1;
+    while (last < spokes.size() && spokes[last].end == spokes[i].end)
+    {
+      ++last;
+    }
+    const Id a = rootOf(spokes[i].triangle);
+    const Id b = last == i + 2 ? rootOf(spokes[i + 1].triangle) : a;
+    fans -= a != b ? 1 : 0;
+    parent[std::max(a, b)] = std::min(a, b);
+    i = last;
+  }
+  return fans;
 }
 
 Id TriangleMesh::NumberOfInconsistentEdges() const

@@ -102,14 +102,27 @@ public:
   /// Normal of a triangle, as long as twice its area.
   Eigen::Vector3d AreaNormal(Id t) const;
 
-  /// Sum of the area normals around p: not of unit length, zero where p has no triangle.
+  /// Sum of the area normals around p: not of unit length, zero where p has no triangle, or such
+  /// that are folded flat.
   Eigen::Vector3d PointNormal(Id p) const;
+
+  /// Those of all points.
+  std::vector<Eigen::Vector3d> PointNormals() const;
 
   /// 0 without edges.
   double MeanEdgeLength() const;
 
-  /// Points of the triangles - edges + triangles: points of no triangle are left out.
-  Id EulerCharacteristic() const;
+  /// So many times a point counts as one of the surface: the fans of triangles that meet there,
+  /// each of triangles joined by edges that have exactly two. 1, but for points of no triangle, and
+  /// for pinch points, where fans touch in nothing but the point.
+  Id NumberOfFans(Id p) const;
+
+  /**
+   * Points - edges + triangles of the surface, where the mesh is cut apart at pinch points and at
+   * edges with more than two triangles: two spheres that touch in a point have 4. Points of no
+   * triangle are left out.
+   */
+  Id EulerCharacteristic(const RangeLoop& loop = InOneRange) const;
 
   /// Edges whose two triangles run through them in the same direction.
   Id NumberOfInconsistentEdges() const;
@@ -123,6 +136,8 @@ public:
 
 private:
   void BuildIncidence(const RangeLoop& loop, Id shares);
+  bool IsSmallClosedFan(Id p) const;
+  Id CountFans(Id p) const;
   void FindEdges(Id begin, Id end, std::vector<Edge>& edges, std::vector<Id>& border);
 
   const double* Points_ = nullptr;

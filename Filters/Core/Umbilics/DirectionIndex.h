@@ -5,6 +5,7 @@
 
 #include "Mesh/TriangleMesh.h"
 #include "Monge/MongeField.h"
+#include "Umbilics/DirectionFan.h"
 
 #include <array>
 
@@ -48,37 +49,25 @@ public:
    */
   bool MayTurn(Id triangle, const std::vector<std::uint8_t>& isTame) const;
 
-  /// Half turns around a triangle whose points are all usable: 0, 1, -1, and hardly ever more. The
-  /// scratch memory is for one thread at a time.
-  using Scratch = std::vector<double>;
-  int HalfTurns(Id triangle, Scratch& scratch) const;
+  /// Half turns around a triangle whose points are all usable: 0, 1, -1, and hardly ever more.
+  int HalfTurns(Id triangle) const;
 
   /// Half turns around connected triangles of which some may not be usable, but all next to them
   /// are.
   int HalfTurns(const std::vector<Id>& region) const;
 
 private:
-  struct Fan
-  {
-    double stretch = 1.0; ///< Of angles: 1 on the border.
-    double angle = 0.0;   ///< Of d1, from the first edge of the triangle at the corner.
-    double corner = 0.0;  ///< The angle of the triangle at the corner, not stretched.
-  };
-  using Fans = std::array<Fan, 3>;
+  using Directions = std::array<CornerDirection, 3>;
 
-  Fan FanAt(Id triangle, int corner, Scratch& angles) const;
-  Fans FansAt(Id triangle, Scratch& scratch) const;
-  Id AcrossInFan(Id triangle, int corner, int side, int& cornerOfNeighbor) const;
-  Id NextInFan(Id triangle, int corner, int& cornerOfNext) const;
-  Id PreviousInFan(Id triangle, int corner, int& cornerOfPrevious) const;
-  double Angle(Id triangle, int corner) const;
-  double TurnWithin(Id triangle, int side, const Fans& fans) const;
-  double TurnForBoth(Id triangle, int side, Scratch& scratch) const;
-  double Turned(Id triangle, Scratch& scratch) const;
+  Directions DirectionsAt(Id triangle) const;
+  double TurnWithin(Id triangle, int side, const Directions& at) const;
+  double TurnForBoth(Id triangle, int side) const;
+  double Turned(Id triangle) const;
 
   const TriangleMesh& Mesh_;
   MongeField Field_;
   const std::uint8_t* Usable_;
+  DirectionFans Fans_;
 };
 
 } // namespace ridges

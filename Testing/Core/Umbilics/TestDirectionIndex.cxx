@@ -47,10 +47,9 @@ std::vector<ClosedCase> ClosedMeshes()
 int SumOfHalfTurns(const TriangleMesh& mesh, const DirectionIndex& index)
 {
   int sum = 0;
-  DirectionIndex::Scratch scratch;
   for (Id t = 0; t < mesh.NumberOfTriangles(); ++t)
   {
-    sum += index.IsUsable(t) ? index.HalfTurns(t, scratch) : 0;
+    sum += index.IsUsable(t) ? index.HalfTurns(t) : 0;
   }
   return sum;
 }
@@ -86,13 +85,12 @@ void CheckMayTurn(const TriangleMesh& mesh, const MongeField& field, int& passed
 {
   const DirectionIndex index(mesh, field, nullptr);
   const std::vector<std::uint8_t> isTame = TamePoints(mesh, field);
-  DirectionIndex::Scratch scratch;
   for (Id t = 0; t < mesh.NumberOfTriangles(); ++t)
   {
     if (!index.MayTurn(t, isTame))
     {
       ++passed;
-      ASSERT_EQ(index.HalfTurns(t, scratch), 0) << "triangle " << t;
+      ASSERT_EQ(index.HalfTurns(t), 0) << "triangle " << t;
     }
   }
 }
@@ -195,11 +193,9 @@ TEST(DirectionIndex, ParityIsThatOfTheAcuteRule)
     const TriangleMesh& mesh = surface.Triangles();
     const FieldArrays field = RandomTangents(mesh, 7);
     const DirectionIndex index(mesh, field.View(), nullptr);
-    DirectionIndex::Scratch scratch;
     for (Id t = 0; t < mesh.NumberOfTriangles(); ++t)
     {
-      ASSERT_EQ(index.HalfTurns(t, scratch) % 2 == 0, IsRegular(mesh, field.View(), t))
-        << "triangle " << t;
+      ASSERT_EQ(index.HalfTurns(t) % 2 == 0, IsRegular(mesh, field.View(), t)) << "triangle " << t;
     }
   }
 }
@@ -241,10 +237,9 @@ TEST(DirectionIndex, OfAFieldThatTurnsInThePlane)
       const FieldArrays field = TurningField(mesh, 0.5 * halfTurns, mesh.Centroid(triangle));
       const DirectionIndex index(mesh, field.View(), nullptr);
       std::vector<Id> all;
-      DirectionIndex::Scratch scratch;
       for (Id t = 0; t < mesh.NumberOfTriangles(); ++t)
       {
-        ASSERT_EQ(index.HalfTurns(t, scratch), t == triangle ? halfTurns : 0) << "triangle " << t;
+        ASSERT_EQ(index.HalfTurns(t), t == triangle ? halfTurns : 0) << "triangle " << t;
         all.push_back(t);
       }
       EXPECT_EQ(index.HalfTurns(all), halfTurns);
@@ -271,10 +266,9 @@ TEST(DirectionIndex, OfTheEllipsoidIsThatOfItsUmbilics)
   const FieldArrays field = ExactField(mesh, MakeEllipsoid(1.4, 1.0, 0.6));
   const DirectionIndex index(mesh, field.View(), nullptr);
   int umbilics = 0;
-  DirectionIndex::Scratch scratch;
   for (Id t = 0; t < mesh.NumberOfTriangles(); ++t)
   {
-    const int halfTurns = index.HalfTurns(t, scratch);
+    const int halfTurns = index.HalfTurns(t);
     EXPECT_TRUE(halfTurns == 0 || halfTurns == 1);
     umbilics += halfTurns;
   }

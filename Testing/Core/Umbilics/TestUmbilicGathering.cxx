@@ -26,10 +26,9 @@ using namespace ridges::testing;
 std::vector<IndexCharge> ChargesOf(const TriangleMesh& mesh, const DirectionIndex& index)
 {
   std::vector<IndexCharge> charges;
-  DirectionIndex::Scratch scratch;
   for (Id t = 0; t < mesh.NumberOfTriangles(); ++t)
   {
-    const int halfTurns = index.IsUsable(t) ? index.HalfTurns(t, scratch) : 0;
+    const int halfTurns = index.IsUsable(t) ? index.HalfTurns(t) : 0;
     if (halfTurns != 0)
     {
       charges.push_back({ t, halfTurns });
