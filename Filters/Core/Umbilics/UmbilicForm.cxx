@@ -5,10 +5,10 @@
 #include "Mesh/PositionOrder.h"
 
 #include <Eigen/Geometry>
-#include <Eigen/LU>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace ridges
 {
@@ -22,6 +22,75 @@ bool HasThreeRoots(const SymmetricTensor<3>& f)
     4.0 * f[0] * f[2] * f[2] * f[2] + 4.0 * f[1] * f[1] * f[1] * f[3] -
     3.0 * f[1] * f[1] * f[2] * f[2];
   return minusDiscriminant < 0.0;
+}
+
+using Forms = Eigen::Matrix<double, 2, 3>;
+
+double Cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b)
+{
+  return a[0] * b[1] - a[1] * b[0];
+}
+
+/// Where on the sides of a triangle the form is least; the mean of such places, if several are
+/// alike.
+Eigen::Vector3d WeightsOfLeastOnSides(const Forms& forms)
+{
+  double least = std::numeric_limits<double>::infinity();
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (int i = 0; i < 3; ++i)
+  {
+    const int j = (i + 1) % 3;
+    const Eigen::Vector2d along = forms.col(j) - forms.col(i);
+    const double squared = along.squaredNorm();
+    const double t = squared > 0.0 ? std::clamp(-forms.col(i).dot(along) / squared, 0.0, 1.0) : 0.5;
+    const double value = (forms.col(i) + t * along).squaredNorm();
+    if (value < least)
+    {
+      least = value;
+      sum.setZero();
+    }
+    if (value == least)
+    {
+      sum[i] += 1.0 - t;
+      sum[j] += t;
+    }
+  }
+  return sum / sum.sum();
+}
+
+/// The weights at which the form, linear between the corners, is least: 0, if it is that inside.
+/// All of them positive, as ridges are drawn around the point in the triangle.
+Eigen::Vector3d WeightsOfLeast(const Forms& forms)
+{
+  const Eigen::Vector3d areas(Cross(forms.col(1), forms.col(2)), Cross(forms.col(2), forms.col(0)),
+    Cross(forms.col(0), forms.col(1)));
+  const double area = areas.sum();
+  Eigen::Vector3d weights = areas / area;
+  if (area == 0.0 || !(weights.minCoeff() >= 0.0))
+  {
+    weights = WeightsOfLeastOnSides(forms);
+  }
+  constexpr double least = 1e-3;
+  const Eigen::Vector3d centroid = Eigen::Vector3d::Constant(1.0 / 3.0);
+  const double missing = std::max(0.0, least - weights.minCoeff());
+  return weights + missing / (missing + centroid[0] - least) * (centroid - weights);
+}
+
+/// The normal of the triangle's plane; where it has no area, about that of the surface.
+Eigen::Vector3d NormalOf(const TriangleMesh& mesh, const MongeField& field, const Triangle& corners)
+{
+  const Eigen::Vector3d ofPlane = (mesh.Point(corners[1]) - mesh.Point(corners[0]))
+                                    .cross(mesh.Point(corners[2]) - mesh.Point(corners[0]));
+  if (ofPlane.squaredNorm() > 0.0)
+  {
+    return ofPlane.normalized();
+  }
+  Eigen::Vector3d normal = Eigen::Vector3d::Zero();
+  for (const Id p : corners)
+  {
+    normal += field.D1(p).cross(field.D2(p));
+  }
+  return normal.squaredNorm() > 0.0 ? normal.normalized() : Eigen::Vector3d(0.0, 0.0, 1.0);
 }
 
 } // namespace
@@ -38,11 +107,12 @@ Triangle CornersInOrder(const TriangleMesh& mesh, Id triangle)
 Eigen::Matrix<double, 2, 3> TracelessForms(
   const TriangleMesh& mesh, const MongeField& field, const Triangle& corners)
 {
-  const Eigen::Vector3d normal = (mesh.Point(corners[1]) - mesh.Point(corners[0]))
-                                   .cross(mesh.Point(corners[2]) - mesh.Point(corners[0]));
-  const Eigen::Vector3d e1 = (mesh.Point(corners[1]) - mesh.Point(corners[0])).normalized();
+  const Eigen::Vector3d normal = NormalOf(mesh, field, corners);
+  const Eigen::Vector3d edge = mesh.Point(corners[1]) - mesh.Point(corners[0]);
+  const bool hasPlane = normal.cross(edge).squaredNorm() > 0.0;
+  const Eigen::Vector3d e1 = hasPlane ? edge.normalized() : normal.unitOrthogonal();
   const Eigen::Vector3d e2 = normal.cross(e1).normalized();
-  Eigen::Matrix<double, 2, 3> forms;
+  Forms forms;
   for (int i = 0; i < 3; ++i)
   {
     const Id v = corners[i];
@@ -60,19 +130,13 @@ Eigen::Matrix<double, 2, 3> TracelessForms(
 
 Eigen::Vector3d UmbilicWeights(const TriangleMesh& mesh, const MongeField& field, Id triangle)
 {
-  Eigen::Vector3d centroid = Eigen::Vector3d::Constant(1.0 / 3.0);
   const auto forms = TracelessForms(mesh, field, CornersInOrder(mesh, triangle));
   const double magnitude = forms.cwiseAbs().maxCoeff();
   if (!(magnitude > 0.0) || !std::isfinite(magnitude))
   {
-    return centroid;
+    return Eigen::Vector3d::Constant(1.0 / 3.0);
   }
-  Eigen::Matrix3d system;
-  system << forms / magnitude, Eigen::RowVector3d::Ones();
-  const Eigen::FullPivLU<Eigen::Matrix3d> solver(system);
-  const Eigen::Vector3d weights = solver.solve(Eigen::Vector3d(0.0, 0.0, 1.0));
-  const bool inside = solver.isInvertible() && weights.minCoeff() >= 0.0;
-  return inside ? weights : centroid;
+  return WeightsOfLeast(forms / magnitude);
 }
 
 Eigen::Vector3d UmbilicInTriangle(const TriangleMesh& mesh, const MongeField& field, Id triangle)
@@ -87,9 +151,7 @@ SymmetricTensor<3> CubicFormAt(
   const TriangleMesh& mesh, const MongeField& field, Id triangle, const Eigen::Vector3d& weights)
 {
   const Triangle corners = CornersInOrder(mesh, triangle);
-  const Eigen::Vector3d normal = (mesh.Point(corners[1]) - mesh.Point(corners[0]))
-                                   .cross(mesh.Point(corners[2]) - mesh.Point(corners[0]))
-                                   .normalized();
+  const Eigen::Vector3d normal = NormalOf(mesh, field, corners);
   const Eigen::Vector3d e1 = normal.unitOrthogonal();
   const Eigen::Vector3d e2 = normal.cross(e1);
   SymmetricTensor<3> mean{};

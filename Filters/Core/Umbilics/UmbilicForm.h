@@ -25,7 +25,7 @@ Eigen::Matrix<double, 2, 3> TracelessForms(
 /**
  * The umbilic of a singular triangle, as barycentric weights of its corners, in order: where the
  * traceless part of the second fundamental form, interpolated linearly between the corners,
- * vanishes; the centroid if there is no such point inside. Second-order accurate.
+ * vanishes, or else where on the sides it is least. Second-order accurate.
  */
 Eigen::Vector3d UmbilicWeights(const TriangleMesh& mesh, const MongeField& field, Id triangle);
 
