@@ -3,6 +3,7 @@
 #include "Ridges/SmallLoops.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -36,33 +37,39 @@ bool SmallLoops::IsInsignificant(Id point) const
 
 SmallLoops::Part SmallLoops::FindPart(Id start, const Fence& fence) const
 {
-  const TriangleMesh& mesh = this->Crossings_.Mesh();
   Part part;
   part.points.push_back(start);
-  for (std::size_t i = 0; i < part.points.size(); ++i)
+  while (!part.IsWhole())
   {
-    const Id point = part.points[i];
-    if (part.points.size() > MostPoints || !this->IsInsignificant(point))
+    this->GrowByOne(part, fence);
+  }
+  return part;
+}
+
+/// Looks at the next point of a part, and at its neighbours.
+void SmallLoops::GrowByOne(Part& part, const Fence& fence) const
+{
+  const TriangleMesh& mesh = this->Crossings_.Mesh();
+  const Id point = part.points[part.done++];
+  if (part.points.size() > MostPoints || !this->IsInsignificant(point))
+  {
+    part.isSmall = false;
+    return;
+  }
+  for (const Id t : mesh.TrianglesAround(point))
+  {
+    for (int side = 0; side < 3; ++side)
     {
-      part.isSmall = false;
-      return part;
-    }
-    for (const Id t : mesh.TrianglesAround(point))
-    {
-      for (int side = 0; side < 3; ++side)
+      const Id e = mesh.EdgeOf(t, side);
+      const Edge& edge = mesh.EdgeAt(e);
+      const Id other = edge.v0 == point ? edge.v1 : (edge.v1 == point ? edge.v0 : -1);
+      if (other >= 0 && !IsIn(part.points, other) &&
+        !std::binary_search(fence.begin(), fence.end(), e))
       {
-        const Id e = mesh.EdgeOf(t, side);
-        const Edge& edge = mesh.EdgeAt(e);
-        const Id other = edge.v0 == point ? edge.v1 : (edge.v1 == point ? edge.v0 : -1);
-        if (other >= 0 && !IsIn(part.points, other) &&
-          !std::binary_search(fence.begin(), fence.end(), e))
-        {
-          part.points.push_back(other);
-        }
+        part.points.push_back(other);
       }
     }
   }
-  return part;
 }
 
 // Whether each edge of the fence has one end in the part.
@@ -168,19 +175,27 @@ bool SmallLoops::Contain(const Ridge& ridge, const std::vector<RidgeSegment>& se
   {
     return true;
   }
-  // Mostly the loop runs around one part.
+  // Mostly the loop runs around one part, which is found first if both grow at the same time.
   const Edge& edge = this->Crossings_.Mesh().EdgeAt(fence.front());
-  const Part first = this->FindPart(edge.v0, fence);
-  if (first.isSmall && this->Separates(first, fence))
+  std::array<Part, 2> parts;
+  parts[0].points.push_back(edge.v0);
+  parts[1].points.push_back(edge.v1);
+  while (!parts[0].IsWhole() || !parts[1].IsWhole())
   {
-    return true;
+    for (Part& part : parts)
+    {
+      if (part.IsWhole())
+      {
+        continue;
+      }
+      this->GrowByOne(part, fence);
+      if (part.isSmall && part.IsWhole() && this->Separates(part, fence))
+      {
+        return true;
+      }
+    }
   }
-  const Part second = this->FindPart(edge.v1, fence);
-  if (second.isSmall && this->Separates(second, fence))
-  {
-    return true;
-  }
-  return (first.isSmall || second.isSmall) && this->HasSmallSide(fence);
+  return (parts[0].isSmall || parts[1].isSmall) && this->HasSmallSide(fence);
 }
 
 } // namespace ridges

@@ -40,11 +40,15 @@ private:
   {
     std::vector<Id> points;
     bool isSmall = true;
+    std::size_t done = 0; ///< Points whose neighbours have been looked at.
+
+    bool IsWhole() const { return !this->isSmall || this->done == this->points.size(); }
   };
   using Fence = std::vector<Id>; ///< Edges, sorted.
 
   bool IsInsignificant(Id point) const;
   Part FindPart(Id start, const Fence& fence) const;
+  void GrowByOne(Part& part, const Fence& fence) const;
   bool Separates(const Part& part, const Fence& fence) const;
   bool HasSmallSide(const Fence& fence) const;
 
