@@ -15,6 +15,7 @@
 #include "vtkRidgesUmbilicOutput.h"
 
 #include "vtkPolyData.h"
+#include "vtkSMPThreadLocal.h"
 
 #include <algorithm>
 #include <utility>
@@ -74,6 +75,7 @@ struct LookAtTriangles
 
   void operator()(vtkIdType begin, vtkIdType end)
   {
+    ridges::DirectionFans::Memory& fans = this->memory.Local();
     for (auto t = static_cast<ridges::Id>(begin); t < static_cast<ridges::Id>(end); ++t)
     {
       if (!this->index.IsUsable(t))
@@ -81,7 +83,7 @@ struct LookAtTriangles
         continue;
       }
       const bool looks = this->all || this->index.MayTurn(t, this->points.isTame);
-      this->halfTurns[t] = static_cast<std::int8_t>(looks ? this->index.HalfTurns(t) : 0);
+      this->halfTurns[t] = static_cast<std::int8_t>(looks ? this->index.HalfTurns(t, fans) : 0);
       this->isWeak[t] = ridges::IsWeak(this->points.mesh, this->field,
                           this->points.gapErrors.data(), this->significance, t)
         ? 1
@@ -109,6 +111,7 @@ struct LookAtTriangles
   bool all = false; ///< Whether to trust no cheap test.
   std::vector<std::int8_t> halfTurns;
   std::vector<std::uint8_t> isWeak;
+  vtkSMPThreadLocal<ridges::DirectionFans::Memory> memory;
 };
 
 /// By that of their triangles which comes first: an order that the numbering has no part in.

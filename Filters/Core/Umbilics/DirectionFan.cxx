@@ -7,7 +7,6 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <complex>
 
@@ -21,69 +20,86 @@ constexpr double Pi = 3.14159265358979323846;
 /// Points with more triangles are looked at once and for all.
 constexpr Id LargestSmallFan = 32;
 
-/// An edge from the point in the middle of a fan.
-struct Spoke
-{
-  Id end = 0;
-  Eigen::Vector3d direction = Eigen::Vector3d::Zero(); ///< Unit, or zero.
-  double length = 0.0;                                 ///< As a part of the longest.
-  double alpha = 0.0; ///< Angle from the first spoke, as the triangles have it.
-};
+} // namespace
 
-/// Fixes all spokes of a fan of so many triangles: one more, which in a closed fan is the first.
-void GatherSpokes(const TriangleMesh& mesh, const FanCorner* fan, Id size, Spoke* spokes)
+// A closed fan begins where its first spoke ends at the point that comes first by position, so that
+// not even round-off depends on the triangle asked for.
+FanExtent DirectionFans::GatherFromFirst(FanCorner corner, std::vector<FanCorner>& fan) const
 {
-  const auto endOf = [&](Id i)
+  const FanExtent extent = GatherFan(this->Mesh_, corner, fan.data());
+  if (extent.closed)
+  {
+    const auto comesBefore = [this](const FanCorner& a, const FanCorner& b)
+    {
+      const Id p = this->Mesh_.Corners(a.triangle)[(a.corner + 1) % 3];
+      const Id q = this->Mesh_.Corners(b.triangle)[(b.corner + 1) % 3];
+      const auto x = this->Mesh_.Point(p);
+      const auto y = this->Mesh_.Point(q);
+      return ComesBefore(x, y) || (!ComesBefore(y, x) && p < q);
+    };
+    const auto end = fan.begin() + extent.size;
+    std::rotate(fan.begin(), std::min_element(fan.begin(), end, comesBefore), end);
+  }
+  return extent;
+}
+
+/// Finds all spokes of a fan of so many triangles: one more, which in a closed fan is the first.
+void DirectionFans::GatherSpokes(
+  const std::vector<FanCorner>& fan, Id size, std::vector<Spoke>& spokes) const
+{
+  const auto endOf = [this, &fan, size](Id i)
   {
     const FanCorner& at = fan[std::min(i, size - 1)];
-    return mesh.Corners(at.triangle)[(at.corner + (i < size ? 1 : 2)) % 3];
+    return this->Mesh_.Corners(at.triangle)[(at.corner + (i < size ? 1 : 2)) % 3];
   };
-  const Eigen::Vector3d center = mesh.Point(mesh.Corners(fan[0].triangle)[fan[0].corner]);
+  const Eigen::Vector3d center =
+    this->Mesh_.Point(this->Mesh_.Corners(fan[0].triangle)[fan[0].corner]);
   // In units of the longest coordinate, so that no square is too large or too small.
   double unit = 0.0;
   for (Id i = 0; i <= size; ++i)
   {
-    unit = std::max(unit, (mesh.Point(endOf(i)) - center).cwiseAbs().maxCoeff());
+    Spoke& spoke = spokes[i];
+    spoke.end = endOf(i);
+    spoke.direction = this->Mesh_.Point(spoke.end) - center;
+    unit = std::max(unit, spoke.direction.cwiseAbs().maxCoeff());
   }
   for (Id i = 0; i <= size; ++i)
   {
-    Spoke spoke;
-    spoke.end = endOf(i);
-    const Eigen::Vector3d edge = mesh.Point(spoke.end) - center;
-    const double own = edge.cwiseAbs().maxCoeff();
+    Spoke& spoke = spokes[i];
+    const double own = spoke.direction.cwiseAbs().maxCoeff();
+    spoke.length = own > 0.0 ? (spoke.direction / unit).norm() : 0.0;
     if (own > 0.0)
     {
-      spoke.direction = (edge / own).normalized();
-      spoke.length = (edge / unit).norm();
+      spoke.direction = (spoke.direction / own).normalized();
     }
-    spokes[i] = spoke;
   }
 }
 
-/// The angles between the spokes, each 0 with a triangle that has none.
-void MeasureAngles(Spoke* spokes, Id size)
+/// The angles between the spokes, each 0 with a triangle that has none; of a closed fan stretched
+/// to a full turn.
+void DirectionFans::MeasureAngles(std::vector<Spoke>& spokes, FanExtent extent)
 {
-  for (Id i = 0; i < size; ++i)
+  spokes[0].alpha = 0.0;
+  for (Id i = 0; i < extent.size; ++i)
   {
     const Eigen::Vector3d& a = spokes[i].direction;
     const Eigen::Vector3d& b = spokes[i + 1].direction;
     spokes[i + 1].alpha = spokes[i].alpha + std::atan2(a.cross(b).norm(), a.dot(b));
   }
-}
-
-/// The angles of a closed fan, to a full turn.
-void StretchToFullTurn(Spoke* spokes, Id size)
-{
-  const double total = spokes[size].alpha;
-  for (Id i = 0; i <= size; ++i)
+  if (!extent.closed)
+  {
+    return;
+  }
+  const double total = spokes[extent.size].alpha;
+  for (Id i = 0; i <= extent.size; ++i)
   {
     spokes[i].alpha =
-      2.0 * Pi * (total > 0.0 ? spokes[i].alpha / total : static_cast<double>(i) / size);
+      2.0 * Pi * (total > 0.0 ? spokes[i].alpha / total : static_cast<double>(i) / extent.size);
   }
 }
 
 /// On which side of the frame the triangles are: 1 or -1.
-double SideOf(const MongeField& field, Id point, const Spoke* spokes, Id size)
+double DirectionFans::SideOf(Id point, const std::vector<Spoke>& spokes, Id size) const
 {
   double area = 0.0;
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();
@@ -96,126 +112,111 @@ double SideOf(const MongeField& field, Id point, const Spoke* spokes, Id size)
   }
   // A fan that is folded flat has no side: round-off must not choose it by where the fan starts.
   constexpr double roundOff = 1e-9;
-  return field.D1(point).cross(field.D2(point)).dot(normal) >= -roundOff * area ? 1.0 : -1.0;
+  const Eigen::Vector3d ofFrame = this->Field_.D1(point).cross(this->Field_.D2(point));
+  return ofFrame.dot(normal) >= -roundOff * area ? 1.0 : -1.0;
 }
 
 /// The angle of d1 from the first spoke.
-double AngleOfD1(const TriangleMesh& mesh, const MongeField& field, Id point, const Spoke* spokes,
-  FanExtent extent)
+double DirectionFans::AngleOfD1(Id point, const std::vector<Spoke>& spokes, FanExtent extent) const
 {
-  const Eigen::Vector3d d1 = field.D1(point);
-  const Eigen::Vector3d d2 = field.D2(point);
-  const double side = SideOf(field, point, spokes, extent.size);
-  const auto projected = [&](const Spoke& spoke)
+  const Eigen::Vector3d d1 = this->Field_.D1(point);
+  const Eigen::Vector3d d2 = this->Field_.D2(point);
+  const double side = this->SideOf(point, spokes, extent.size);
+  const auto projected = [&d1, &d2, side](const Spoke& spoke)
   { return std::complex<double>(spoke.direction.dot(d1), side * spoke.direction.dot(d2)); };
   // The turn by alpha and back by the angle of the spoke with d1; the former alone where there is
   // no angle.
-  const auto turnOf = [&](const Spoke& spoke)
+  const auto turnOf = [](const Spoke& spoke, const std::complex<double>& z)
   {
-    const std::complex<double> z = projected(spoke);
-    const double length = std::abs(z);
+    const double length = std::sqrt(std::norm(z));
     return std::polar(1.0, spoke.alpha) * (length > 0.0 ? std::conj(z) / length : 1.0);
   };
-  const auto comesBefore = [&](const Spoke& a, const Spoke& b)
+  const auto comesBefore = [this, &projected](const Spoke& a, const Spoke& b)
   {
     const bool aHasAngle = projected(a) != 0.0;
     const bool bHasAngle = projected(b) != 0.0;
-    const auto x = mesh.Point(a.end);
-    const auto y = mesh.Point(b.end);
+    const auto x = this->Mesh_.Point(a.end);
+    const auto y = this->Mesh_.Point(b.end);
     return aHasAngle != bHasAngle ? aHasAngle
                                   : ComesBefore(x, y) || (!ComesBefore(y, x) && a.end < b.end);
   };
-  const Spoke* end = spokes + extent.size + (extent.closed ? 0 : 1);
+  const auto end = spokes.begin() + extent.size + (extent.closed ? 0 : 1);
   std::complex<double> sum = 0.0;
-  for (const Spoke* spoke = spokes; spoke != end; ++spoke)
+  for (auto spoke = spokes.begin(); spoke != end; ++spoke)
   {
-    sum += projected(*spoke) != 0.0 ? turnOf(*spoke) : 0.0;
+    const std::complex<double> z = projected(*spoke);
+    sum += z != 0.0 ? turnOf(*spoke, z) : 0.0;
   }
   // Where they agree nowhere, as in a fold, one spoke decides, wherever the fan starts.
   constexpr double agreement = 1e-3;
-  return std::arg(
-    std::abs(sum) > agreement ? sum : turnOf(*std::min_element(spokes, end, comesBefore)));
-}
-
-/// What the triangles of a fan have, in their order.
-void LookAtFan(const TriangleMesh& mesh, const MongeField& field, const FanCorner* fan,
-  FanExtent extent, Spoke* spokes, CornerDirection* found)
-{
-  GatherSpokes(mesh, fan, extent.size, spokes);
-  MeasureAngles(spokes, extent.size);
-  if (extent.closed)
+  if (!(std::norm(sum) > agreement * agreement))
   {
-    StretchToFullTurn(spokes, extent.size);
+    const Spoke& first = *std::min_element(spokes.begin(), end, comesBefore);
+    sum = turnOf(first, projected(first));
   }
-  const Id point = mesh.Corners(fan[0].triangle)[fan[0].corner];
-  const double angle = AngleOfD1(mesh, field, point, spokes, extent);
-  for (Id i = 0; i < extent.size; ++i)
-  {
-    found[i].corner = spokes[i + 1].alpha - spokes[i].alpha;
-    found[i].angle = angle - spokes[i].alpha;
-  }
+  return std::arg(sum);
 }
-
-} // namespace
 
 DirectionFans::DirectionFans(const TriangleMesh& mesh, const MongeField& field)
   : Mesh_(mesh)
   , Field_(field)
 {
+  Memory memory(1);
   for (Id p = 0; p < mesh.NumberOfPoints(); ++p)
   {
     if (mesh.TrianglesAround(p).size() > LargestSmallFan)
     {
-      this->Large_[p] = this->AtAllTriangles(p);
+      this->LookAround(p, memory, this->Large_[p]);
     }
   }
 }
 
-std::vector<CornerDirection> DirectionFans::AtAllTriangles(Id point) const
+void DirectionFans::LookAround(Id point, Memory& memory, std::vector<CornerDirection>& all) const
 {
   const Span<Id> around = this->Mesh_.TrianglesAround(point);
-  std::vector<CornerDirection> all(around.size());
-  std::vector<bool> isDone(around.size(), false);
-  std::vector<FanCorner> fan(around.size());
-  std::vector<Spoke> spokes(around.size() + 1);
-  std::vector<CornerDirection> found(around.size());
+  all.resize(around.size());
+  memory.Fan_.resize(around.size());
+  memory.Spokes_.resize(around.size() + 1);
+  memory.IsDone_.assign(around.size(), 0);
   for (Id i = 0; i < around.size(); ++i)
   {
-    if (isDone[i])
+    if (memory.IsDone_[i])
     {
       continue;
     }
     const int corner = CornerOf(this->Mesh_.Corners(around[i]), point);
-    const FanExtent extent = GatherFan(this->Mesh_, { around[i], corner }, fan.data());
-    LookAtFan(this->Mesh_, this->Field_, fan.data(), extent, spokes.data(), found.data());
+    const FanExtent extent = this->GatherFromFirst({ around[i], corner }, memory.Fan_);
+    const std::vector<Spoke>& spokes = memory.Spokes_;
+    this->GatherSpokes(memory.Fan_, extent.size, memory.Spokes_);
+    MeasureAngles(memory.Spokes_, extent);
+    const double angle = this->AngleOfD1(point, spokes, extent);
     for (Id j = 0; j < extent.size; ++j)
     {
       const auto place =
-        std::lower_bound(around.begin(), around.end(), fan[j].triangle) - around.begin();
-      all[place] = found[j];
-      isDone[place] = true;
+        std::lower_bound(around.begin(), around.end(), memory.Fan_[j].triangle) - around.begin();
+      all[place] = { spokes[j + 1].alpha - spokes[j].alpha, angle - spokes[j].alpha };
+      memory.IsDone_[place] = 1;
     }
   }
-  return all;
 }
 
-CornerDirection DirectionFans::At(FanCorner corner) const
+CornerDirection DirectionFans::At(FanCorner corner, Memory& memory) const
 {
   const Id point = this->Mesh_.Corners(corner.triangle)[corner.corner];
   const Span<Id> around = this->Mesh_.TrianglesAround(point);
+  const auto place =
+    std::lower_bound(around.begin(), around.end(), corner.triangle) - around.begin();
   if (around.size() > LargestSmallFan)
   {
-    const auto place = std::lower_bound(around.begin(), around.end(), corner.triangle);
-    return this->Large_.at(point)[place - around.begin()];
+    return this->Large_.at(point)[place];
   }
-  std::array<FanCorner, LargestSmallFan> fan;
-  std::array<Spoke, LargestSmallFan + 1> spokes;
-  std::array<CornerDirection, LargestSmallFan> found;
-  const FanExtent extent = GatherFan(this->Mesh_, corner, fan.data());
-  LookAtFan(this->Mesh_, this->Field_, fan.data(), extent, spokes.data(), found.data());
-  const auto* place = std::find_if(fan.data(), fan.data() + extent.size,
-    [corner](const FanCorner& at) { return at.triangle == corner.triangle; });
-  return found[place - fan.data()];
+  Memory::Slot& slot = memory.Slots_[static_cast<std::size_t>(point) % memory.Slots_.size()];
+  if (slot.point != point)
+  {
+    this->LookAround(point, memory, slot.at);
+    slot.point = point;
+  }
+  return slot.at[place];
 }
 
 } // namespace ridges

@@ -46,10 +46,11 @@ bool DirectionIndex::MayTurn(Id triangle, const std::vector<std::uint8_t>& isTam
   return singular;
 }
 
-DirectionIndex::Directions DirectionIndex::DirectionsAt(Id triangle) const
+DirectionIndex::Directions DirectionIndex::DirectionsAt(
+  Id triangle, DirectionFans::Memory& memory) const
 {
-  return { this->Fans_.At({ triangle, 0 }), this->Fans_.At({ triangle, 1 }),
-    this->Fans_.At({ triangle, 2 }) };
+  return { this->Fans_.At({ triangle, 0 }, memory), this->Fans_.At({ triangle, 1 }, memory),
+    this->Fans_.At({ triangle, 2 }, memory) };
 }
 
 double DirectionIndex::TurnWithin(Id triangle, int side, const Directions& at) const
@@ -68,7 +69,7 @@ double DirectionIndex::TurnWithin(Id triangle, int side, const Directions& at) c
 }
 
 // The turn on a side as the triangle that comes first by position has it.
-double DirectionIndex::TurnForBoth(Id triangle, int side) const
+double DirectionIndex::TurnForBoth(Id triangle, int side, DirectionFans::Memory& memory) const
 {
   const Id neighbor = this->Mesh_.Neighbor(triangle, side);
   if (neighbor >= 0)
@@ -80,41 +81,48 @@ double DirectionIndex::TurnForBoth(Id triangle, int side) const
       (!ComesBefore(this->Mesh_, triangle, neighbor) && neighbor < triangle);
     if (neighborIsFirst && others[(sideThere + 1) % 3] == corners[side])
     {
-      return -this->TurnWithin(neighbor, sideThere, this->DirectionsAt(neighbor));
+      return -this->TurnWithin(neighbor, sideThere, this->DirectionsAt(neighbor, memory));
     }
   }
-  return this->TurnWithin(triangle, side, this->DirectionsAt(triangle));
+  return this->TurnWithin(triangle, side, this->DirectionsAt(triangle, memory));
 }
 
 // All turns around a triangle.
-double DirectionIndex::Turned(Id triangle) const
+double DirectionIndex::Turned(Id triangle, DirectionFans::Memory& memory) const
 {
   // A turn by half a turn is one in either sense, and round-off decides in which: then one triangle
   // of the edge has to decide for both.
   constexpr double nearlyHalf = Pi - 1e-6;
-  const Directions at = this->DirectionsAt(triangle);
+  const Directions at = this->DirectionsAt(triangle, memory);
   double turned = -Pi;
   for (int side = 0; side < 3; ++side)
   {
     const double turn = this->TurnWithin(triangle, side, at);
     turned += at[side].corner;
-    turned += std::abs(turn) < nearlyHalf ? turn : this->TurnForBoth(triangle, side);
+    turned += std::abs(turn) < nearlyHalf ? turn : this->TurnForBoth(triangle, side, memory);
   }
   return turned;
 }
 
+int DirectionIndex::HalfTurns(Id triangle, DirectionFans::Memory& memory) const
+{
+  return static_cast<int>(std::lround(this->Turned(triangle, memory) / Pi));
+}
+
 int DirectionIndex::HalfTurns(Id triangle) const
 {
-  return static_cast<int>(std::lround(this->Turned(triangle) / Pi));
+  DirectionFans::Memory memory(4);
+  return this->HalfTurns(triangle, memory);
 }
 
 int DirectionIndex::HalfTurns(const std::vector<Id>& region) const
 {
   // Edges inside count in both senses, for nothing.
   double turned = 0.0;
+  DirectionFans::Memory memory;
   for (const Id t : region)
   {
-    turned += this->Turned(t);
+    turned += this->Turned(t, memory);
   }
   return static_cast<int>(std::lround(turned / Pi));
 }

@@ -50,6 +50,7 @@ public:
   bool MayTurn(Id triangle, const std::vector<std::uint8_t>& isTame) const;
 
   /// Half turns around a triangle whose points are all usable: 0, 1, -1, and hardly ever more.
+  int HalfTurns(Id triangle, DirectionFans::Memory& memory) const;
   int HalfTurns(Id triangle) const;
 
   /// Half turns around connected triangles of which some may not be usable, but all next to them
@@ -59,10 +60,10 @@ public:
 private:
   using Directions = std::array<CornerDirection, 3>;
 
-  Directions DirectionsAt(Id triangle) const;
+  Directions DirectionsAt(Id triangle, DirectionFans::Memory& memory) const;
   double TurnWithin(Id triangle, int side, const Directions& at) const;
-  double TurnForBoth(Id triangle, int side) const;
-  double Turned(Id triangle) const;
+  double TurnForBoth(Id triangle, int side, DirectionFans::Memory& memory) const;
+  double Turned(Id triangle, DirectionFans::Memory& memory) const;
 
   const TriangleMesh& Mesh_;
   MongeField Field_;
