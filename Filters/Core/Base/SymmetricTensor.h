@@ -5,6 +5,7 @@
 
 #include <Eigen/Core>
 
+#include <algorithm>
 #include <array>
 
 namespace ridges
@@ -30,27 +31,49 @@ std::array<double, Size - 1> Contract(
   return result;
 }
 
+/// The first value of the tensor over axes that begin with e: every slot filled with e.
+template <std::size_t Size>
+double ContractAll(const std::array<double, Size>& tensor, const Eigen::Vector2d& e)
+{
+  std::array<double, Size> left = tensor;
+  for (std::size_t count = Size - 1; count > 0; --count)
+  {
+    for (std::size_t j = 0; j < count; ++j)
+    {
+      left[j] = left[j] * e[0] + left[j + 1] * e[1];
+    }
+  }
+  return left[0];
+}
+
+/// One value of the tensor over the axes e and f, given in the old ones.
+template <std::size_t J, std::size_t Size>
+double ValueInBasis(
+  const std::array<double, Size>& tensor, const Eigen::Vector2d& e, const Eigen::Vector2d& f)
+{
+  if constexpr (J == 0)
+  {
+    return ContractAll(tensor, e);
+  }
+  else
+  {
+    return ValueInBasis<J - 1>(Contract(tensor, f), e, f);
+  }
+}
+
 /// The same tensor over the axes e and f, given in the old ones.
 template <std::size_t Size>
 std::array<double, Size> InBasis(
   const std::array<double, Size>& tensor, const Eigen::Vector2d& e, const Eigen::Vector2d& f)
 {
-  if constexpr (Size == 1)
+  std::array<double, Size> result{};
+  result[0] = ContractAll(tensor, e);
+  if constexpr (Size > 1)
   {
-    return tensor;
+    const auto others = InBasis(Contract(tensor, f), e, f);
+    std::copy(others.begin(), others.end(), result.begin() + 1);
   }
-  else
-  {
-    const auto withE = InBasis(Contract(tensor, e), e, f);
-    const auto withF = InBasis(Contract(tensor, f), e, f);
-    std::array<double, Size> result{};
-    result[0] = withE[0];
-    for (std::size_t j = 1; j < Size; ++j)
-    {
-      result[j] = withF[j - 1];
-    }
-    return result;
-  }
+  return result;
 }
 
 } // namespace ridges

@@ -135,6 +135,33 @@ MongeForm MongeInterpolation::At(double t) const
   return form;
 }
 
+// The values of At(t), to the last digit.
+MongeInterpolation::Extremum MongeInterpolation::ExtremumAt(Color color, double t) const
+{
+  const SecondOrder second = this->SecondOrderAt(t);
+  MongeForm form;
+  form.k1 = second.k1;
+  form.k2 = second.k2;
+  if (!this->Field_.c)
+  {
+    return { form.k1, form.k2, 0.0 };
+  }
+  const Eigen::Vector2d e(second.turn.cosine, second.turn.sine);
+  const Eigen::Vector2d f(-second.turn.sine, second.turn.cosine);
+  const auto third = Between<3>(this->ThirdOrderP_, this->ThirdOrderQ_, t);
+  const auto atQ = Turned<4>(FormAt<4>(this->Field_.c, this->Q_), Back(this->Turn_));
+  const auto fourth = Between<4>(FormAt<4>(this->Field_.c, this->P_), atQ, t);
+  if (color == Color::Blue)
+  {
+    form.b[1] = ValueInBasis<1>(third, e, f);
+    form.c[0] = ValueInBasis<0>(fourth, e, f);
+    return { form.k1, form.k2, form.P1() };
+  }
+  form.b[2] = ValueInBasis<2>(third, e, f);
+  form.c[4] = ValueInBasis<4>(fourth, e, f);
+  return { form.k1, form.k2, form.P2() };
+}
+
 double MongeInterpolation::Extremality(Color color, double t) const
 {
   const auto b = Between<3>(this->ThirdOrderP_, this->ThirdOrderQ_, t);

@@ -30,6 +30,15 @@ public:
    */
   MongeForm At(double t) const;
 
+  /// What a ridge needs of the form: P1 or P2 is 0 if the field does not have the fourth order.
+  struct Extremum
+  {
+    double k1;
+    double k2;
+    double P;
+  };
+  Extremum ExtremumAt(Color color, double t) const;
+
   /// b0 or b3 alone, at the fraction t of the way. At 0 it is that of p, and at 1 that of q in the
   /// frame that the acute rule turns it to: the signs at the ends differ where IsCrossed.
   double Extremality(Color color, double t) const;

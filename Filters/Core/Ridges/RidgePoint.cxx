@@ -52,7 +52,7 @@ double FindCrossing(const MongeInterpolation& interpolation, Color color)
 RidgePoint Interpolate(const TriangleMesh& mesh, const MongeField& field, Color color,
   const OrderedEdge& ends, const MongeInterpolation& interpolation, double t)
 {
-  const MongeForm form = interpolation.At(t);
+  const MongeInterpolation::Extremum form = interpolation.ExtremumAt(color, t);
   const bool blue = color == Color::Blue;
 
   RidgePoint point;
@@ -62,12 +62,8 @@ RidgePoint Interpolate(const TriangleMesh& mesh, const MongeField& field, Color 
   point.curvature = blue ? form.k1 : form.k2;
   point.gap = form.k1 - form.k2;
   point.crestMargin = std::abs(point.curvature) - std::abs(blue ? form.k2 : form.k1);
-  point.P = 0.0;
-  if (field.c)
-  {
-    point.P = blue ? form.P1() : form.P2();
-  }
-  else if (field.HasFourthOrder())
+  point.P = form.P;
+  if (!field.c && field.HasFourthOrder())
   {
     point.P = (1.0 - t) * field.P(color, ends.p) + t * field.P(color, ends.q);
   }
