@@ -63,6 +63,29 @@ MongeForm RandomForm(const Vector3d& normal, Generator& generator)
 } // namespace
 
 //------------------------------------------------------------------------------
+// To the last digit: ridges must not depend on which of the two was asked.
+TEST(MongeInterpolation, ExtremumIsThatOfTheWholeForm)
+{
+  std::mt19937_64 generator(72);
+  for (int trial = 0; trial < 200; ++trial)
+  {
+    FieldArrays arrays(2);
+    arrays.Set(0, RandomForm(InBall(generator).normalized(), generator));
+    arrays.Set(1, RandomForm(InBall(generator).normalized(), generator));
+    const MongeInterpolation between(arrays.View(), 0, 1);
+    const double t = 0.5 * (1.0 + Symmetric(generator));
+    const MongeForm form = between.At(t);
+    const auto blue = between.ExtremumAt(Color::Blue, t);
+    const auto red = between.ExtremumAt(Color::Red, t);
+    EXPECT_EQ(blue.k1, form.k1);
+    EXPECT_EQ(blue.k2, form.k2);
+    EXPECT_EQ(blue.P, form.P1());
+    EXPECT_EQ(red.k1, form.k1);
+    EXPECT_EQ(red.P, form.P2());
+  }
+}
+
+//------------------------------------------------------------------------------
 TEST(MongeInterpolation, IsLinearInTheFormsOfACommonTangentPlane)
 {
   std::mt19937_64 generator(71);

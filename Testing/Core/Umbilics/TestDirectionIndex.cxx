@@ -47,9 +47,13 @@ std::vector<ClosedCase> ClosedMeshes()
 int SumOfHalfTurns(const TriangleMesh& mesh, const DirectionIndex& index)
 {
   int sum = 0;
+  // Small, so that fans are forgotten and looked at again.
+  DirectionFans::Memory memory(16);
   for (Id t = 0; t < mesh.NumberOfTriangles(); ++t)
   {
-    sum += index.IsUsable(t) ? index.HalfTurns(t) : 0;
+    const int halfTurns = index.IsUsable(t) ? index.HalfTurns(t, memory) : 0;
+    EXPECT_TRUE(!index.IsUsable(t) || halfTurns == index.HalfTurns(t));
+    sum += halfTurns;
   }
   return sum;
 }
