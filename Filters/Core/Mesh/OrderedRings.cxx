@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <limits>
 
 namespace ridges
@@ -13,7 +14,18 @@ namespace ridges
 namespace
 {
 
-constexpr Id LargestFan = 32;
+std::vector<Id> NeighborsOf(const TriangleMesh& mesh, Id p)
+{
+  std::vector<Id> neighbors;
+  for (const Id t : mesh.TrianglesAround(p))
+  {
+    const Triangle& corners = mesh.Corners(t);
+    std::copy_if(
+      corners.begin(), corners.end(), std::back_inserter(neighbors), [p](Id q) { return q != p; });
+  }
+  std::sort(neighbors.begin(), neighbors.end());
+  return neighbors;
+}
 
 } // namespace
 
@@ -123,6 +135,7 @@ OrderedRings::Kind OrderedRings::BuildRing(Id p, Id* ring, std::uint8_t& size) c
   size = 0;
   if (count == 0 || count > LargestFan)
   {
+    size = static_cast<std::uint8_t>(count == 0 ? 0 : this->PickEvenly(p, ring));
     return this->KindOfIrregular(p);
   }
   for (Id i = 0; i < count; ++i)
@@ -188,20 +201,49 @@ Id OrderedRings::FirstOf(const Id* points, Id size) const
   return static_cast<Id>(std::min_element(points, points + size, comesBefore) - points);
 }
 
-OrderedRings::Kind OrderedRings::KindOfIrregular(Id p) const
+/// Always the neighbour whose direction is farthest from those of the ones before, the first by
+/// position in the beginning.
+Id OrderedRings::PickEvenly(Id p, Id* ring) const
 {
-  std::vector<Id> neighbors;
-  for (const Id t : this->Mesh_.TrianglesAround(p))
+  struct Candidate
   {
-    for (const Id q : this->Mesh_.Corners(t))
+    Id point;
+    Eigen::Vector3d direction;
+    double distance;
+  };
+  std::vector<Id> neighbors = NeighborsOf(this->Mesh_, p);
+  neighbors.erase(std::unique(neighbors.begin(), neighbors.end()), neighbors.end());
+  std::vector<Candidate> candidates;
+  candidates.reserve(neighbors.size());
+  for (const Id q : neighbors)
+  {
+    const Eigen::Vector3d offset = this->Mesh_.Point(q) - this->Mesh_.Point(p);
+    candidates.push_back({ q, offset.stableNormalized(), std::numeric_limits<double>::infinity() });
+  }
+  const auto isBetter = [this](const Candidate& a, const Candidate& b)
+  {
+    return a.distance != b.distance
+      ? a.distance > b.distance
+      : ComesBefore(this->Mesh_.Point(a.point), this->Mesh_.Point(b.point));
+  };
+  Id size = 0;
+  for (const Id most = std::min(NeighborsOfLargeFan, static_cast<Id>(candidates.size()));
+       size < most; ++size)
+  {
+    const Candidate best = *std::min_element(candidates.begin(), candidates.end(), isBetter);
+    ring[size] = best.point;
+    for (Candidate& candidate : candidates)
     {
-      if (q != p)
-      {
-        neighbors.push_back(q);
-      }
+      candidate.distance =
+        std::min(candidate.distance, (candidate.direction - best.direction).squaredNorm());
     }
   }
-  std::sort(neighbors.begin(), neighbors.end());
+  return size;
+}
+
+OrderedRings::Kind OrderedRings::KindOfIrregular(Id p) const
+{
+  const std::vector<Id> neighbors = NeighborsOf(this->Mesh_, p);
   for (std::size_t i = 0; i < neighbors.size(); i += 2)
   {
     const bool inTwoTriangles = i + 1 < neighbors.size() && neighbors[i] == neighbors[i + 1] &&

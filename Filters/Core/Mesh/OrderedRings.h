@@ -26,8 +26,13 @@ public:
   /// So many ids can be read from where any ring begins, whatever its size.
   static constexpr Id ReadableIds = 8;
 
+  /// Points with more triangles are not regular, and so many of their neighbours stand for all.
+  static constexpr Id LargestFan = 32;
+  static constexpr Id NeighborsOfLargeFan = 16;
+
   /// The neighbours of p in order. Empty for a point without triangles, and for one that is not
-  /// regular.
+  /// regular; but of the neighbours of a point with more than `LargestFan` triangles so many that
+  /// lie around it as evenly as possible.
   Span<Id> Around(Id p) const
   {
     const Id* first = this->Rings_.data() + this->Offset(p);
@@ -67,6 +72,7 @@ private:
   Kind BuildRing(Id p, Id* ring, std::uint8_t& size) const;
   Kind KindOfIrregular(Id p) const;
   Id FirstOf(const Id* points, Id size) const;
+  Id PickEvenly(Id p, Id* ring) const;
 
   const TriangleMesh& Mesh_;
   Buffer<Id> Rings_;

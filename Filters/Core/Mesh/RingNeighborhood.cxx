@@ -20,13 +20,13 @@ struct All
   bool operator()(Id) const { return true; }
 };
 
-constexpr Id LargestFan = OrderedRings::ReadableIds;
+constexpr Id LargestSmallFan = OrderedRings::ReadableIds;
 
 /// The first place of an id among eight; 8 if it is not there. Without branches, as the place is
 /// as good as random.
 Id PlaceAmongEight(const Id* ids, Id wanted)
 {
-  static_assert(LargestFan == 8);
+  static_assert(LargestSmallFan == 8);
 #ifdef __SSE2__
   const __m128i all = _mm_set1_epi32(wanted);
   const auto equal = [=](const Id* four)
@@ -74,8 +74,8 @@ bool RingNeighborhood::AddRing(Accept accept)
   for (Id i = this->RingBegin_; i < ringEnd; ++i)
   {
     const Id center = this->Points_[i];
-    const Span<Id> neighbors = this->Rings_.IsRegular(center) ? this->Rings_.Around(center)
-                                                              : this->NeighborsOfIrregular(center);
+    const Span<Id> ring = this->Rings_.Around(center);
+    const Span<Id> neighbors = ring.size() > 0 ? ring : this->NeighborsOfIrregular(center);
     const std::size_t room = static_cast<std::size_t>(count) + neighbors.size();
     if (this->Points_.size() < room)
     {
@@ -130,7 +130,7 @@ void RingNeighborhood::Begin(Id vertex)
   }
   if (this->Points_.empty())
   {
-    this->Points_.resize(2 * LargestFan * LargestFan);
+    this->Points_.resize(2 * LargestSmallFan * LargestSmallFan);
   }
   this->Points_[0] = vertex;
   this->Count_ = 1;
@@ -148,7 +148,7 @@ bool RingNeighborhood::AddTwoRings()
   Id* points = this->Points_.data();
   const Id vertex = points[0];
   const Span<Id> fan = this->Rings_.Around(vertex);
-  bool good = this->Rings_.IsClosed(vertex) && fan.size() <= LargestFan;
+  bool good = this->Rings_.IsClosed(vertex) && fan.size() <= LargestSmallFan;
   if (!good)
   {
     return false;
@@ -160,12 +160,12 @@ bool RingNeighborhood::AddTwoRings()
     const Span<Id> around = this->Rings_.Around(neighbor);
     const Id size = around.size();
     const Id place = PlaceAmongEight(around.begin(), vertex) + 3;
-    good = good && this->Rings_.IsClosed(neighbor) && size >= 4 && size <= LargestFan;
+    good = good && this->Rings_.IsClosed(neighbor) && size >= 4 && size <= LargestSmallFan;
     // As many as there may be, and then only those that there are.
-    for (Id i = 0; i < LargestFan - 4; ++i)
+    for (Id i = 0; i < LargestSmallFan - 4; ++i)
     {
       const Id next = place + i - (place + i >= size ? size : 0);
-      end[i] = around.begin()[next & (LargestFan - 1)];
+      end[i] = around.begin()[next & (LargestSmallFan - 1)];
     }
     end += good ? size - 4 : 0;
   }
@@ -193,30 +193,44 @@ bool RingNeighborhood::AddTwoRings()
   return true;
 }
 
-Span<Id> RingNeighborhood::Gather(Id vertex, const NeighborhoodRule& rule)
+/// Rings until there are enough of them, or points; inside the ball, if it is by radius.
+template <typename Accept>
+void RingNeighborhood::AddRings(const NeighborhoodRule& rule, Accept accept)
 {
-  this->Begin(vertex);
   if (rule.kind == NeighborhoodRule::Kind::Radius)
   {
-    const Eigen::Vector3d center = this->Mesh_.Point(vertex);
+    const Eigen::Vector3d center = this->Mesh_.Point(this->Points_[0]);
     const double squaredRadius = rule.radius * rule.radius;
     const auto inside = [&](Id p)
-    { return (this->Mesh_.Point(p) - center).squaredNorm() <= squaredRadius; };
+    { return (this->Mesh_.Point(p) - center).squaredNorm() <= squaredRadius && accept(p); };
     while (this->AddRing(inside))
     {
     }
+    return;
   }
-  else
+  while (!IsEnough(rule, this->NumberOfRings_, this->Count_) && this->AddRing(accept))
   {
-    if (!IsEnough(rule, 1, 1 + this->Rings_.Around(vertex).size()))
-    {
-      this->AddTwoRings();
-    }
-    while (!IsEnough(rule, this->NumberOfRings_, this->Count_) && this->AddRing(All()))
-    {
-      ++this->NumberOfRings_;
-    }
+    ++this->NumberOfRings_;
   }
+}
+
+Span<Id> RingNeighborhood::Gather(Id vertex, const NeighborhoodRule& rule)
+{
+  this->Begin(vertex);
+  if (rule.kind != NeighborhoodRule::Kind::Radius &&
+    !IsEnough(rule, 1, 1 + this->Rings_.Around(vertex).size()))
+  {
+    this->AddTwoRings();
+  }
+  this->AddRings(rule, All());
+  return { this->Points_.data(), this->Points_.data() + this->Count_ };
+}
+
+Span<Id> RingNeighborhood::Gather(
+  Id vertex, const NeighborhoodRule& rule, const std::function<bool(Id)>& isAccepted)
+{
+  this->Begin(vertex);
+  this->AddRings(rule, [&isAccepted](Id p) { return isAccepted(p); });
   return { this->Points_.data(), this->Points_.data() + this->Count_ };
 }
 

@@ -5,6 +5,8 @@
 
 #include "Mesh/OrderedRings.h"
 
+#include <functional>
+
 namespace ridges
 {
 
@@ -26,7 +28,9 @@ struct NeighborhoodRule
 
 /**
  * Gathers the points around a vertex, walking along edges only, so that the other side of a thin
- * wall is never taken. Holds scratch memory: use one per thread.
+ * wall is never taken. From a point with very many neighbours the walk goes on to some of them
+ * only, all around it (see OrderedRings): so neighbourhoods stay balanced, and of a bounded size.
+ * Holds scratch memory: use one per thread.
  */
 class RingNeighborhood
 {
@@ -40,6 +44,10 @@ public:
    */
   Span<Id> Gather(Id vertex, const NeighborhoodRule& rule);
 
+  /// The same of points that are accepted only, and reached over such points.
+  Span<Id> Gather(
+    Id vertex, const NeighborhoodRule& rule, const std::function<bool(Id)>& isAccepted);
+
   /// The last neighbourhood with one ring more; the same one if there is nothing around it.
   Span<Id> Grow();
 
@@ -48,6 +56,8 @@ public:
 
 private:
   void Begin(Id vertex);
+  template <typename Accept>
+  void AddRings(const NeighborhoodRule& rule, Accept accept);
   bool AddTwoRings();
   template <typename Accept>
   bool AddRing(Accept accept);

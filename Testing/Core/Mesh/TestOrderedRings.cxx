@@ -7,10 +7,14 @@
 
 #include "Mesh/OrderedRings.h"
 #include "Mesh/PositionOrder.h"
+#include "Mesh/RingNeighborhood.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
 #include <set>
 
 namespace
@@ -132,19 +136,54 @@ TEST(OrderedRings, AreEmptyForPointsWithoutTriangles)
 }
 
 //------------------------------------------------------------------------------
-TEST(OrderedRings, ManyTrianglesAtOnePointAreIrregularAndStillFound)
+// A disk whose points crowd together on one side: the neighbours that stand for all are spread over
+// all directions none the less, and are the same points whatever the numbering.
+TEST(OrderedRings, OfVeryManyTrianglesSomeNeighborsStandForAll)
 {
-  std::vector<Triangle> fan;
-  const int n = 100;
-  fan.reserve(n);
-  for (int i = 0; i < n; ++i)
+  const int count = 1000;
+  Mesh fan;
+  fan.AddPoint(Vector3d::Zero());
+  for (int i = 0; i < count; ++i)
   {
-    fan.push_back({ 0, 1 + i, 1 + (i + 1) % n });
+    const double part = static_cast<double>(i) / count;
+    const double angle = 2.0 * std::acos(-1.0) * part * part;
+    fan.AddPoint(Vector3d(std::cos(angle), std::sin(angle), 0.0));
   }
-  const MeshedSurface surface(SmallMesh(n + 1, fan));
-  const OrderedRings rings = RingsOf(surface.Triangles());
-  EXPECT_FALSE(rings.IsRegular(0));
-  EXPECT_FALSE(rings.OnBorder(0));
-  RingNeighborhood neighborhood(surface.Triangles(), rings);
-  EXPECT_EQ(neighborhood.Gather(0, NeighborhoodRule()).size(), n + 1);
+  for (int i = 0; i < count; ++i)
+  {
+    fan.AddTriangle(0, 1 + i, 1 + (i + 1) % count);
+  }
+  std::set<std::array<double, 2>> expected;
+  for (const std::uint64_t seed : { 0, 1, 2 })
+  {
+    std::vector<std::int32_t> newToOld(fan.PointCount(), 0);
+    const MeshedSurface surface(seed == 0 ? fan : Permute(fan, seed, &newToOld));
+    const OrderedRings rings = RingsOf(surface.Triangles());
+    const Id center = seed == 0
+      ? 0
+      : static_cast<Id>(std::find(newToOld.begin(), newToOld.end(), 0) - newToOld.begin());
+    EXPECT_FALSE(rings.IsRegular(center));
+    EXPECT_FALSE(rings.OnBorder(center));
+    std::set<std::array<double, 2>> found;
+    std::set<double> angles;
+    for (const Id p : rings.Around(center))
+    {
+      const Vector3d at = surface.Triangles().Point(p);
+      found.insert({ at.x(), at.y() });
+      angles.insert(std::atan2(at.y(), at.x()));
+    }
+    EXPECT_EQ(found.size(), static_cast<std::size_t>(OrderedRings::NeighborsOfLargeFan));
+    for (auto angle = angles.begin(); std::next(angle) != angles.end(); ++angle)
+    {
+      // Of 16, each the farthest from those before, neighbours are less than an eighth apart.
+      EXPECT_LT(*std::next(angle) - *angle, 2.0 * std::acos(-1.0) / 8.0 + 0.01);
+    }
+    expected = seed == 0 ? found : expected;
+    EXPECT_EQ(found, expected);
+
+    RingNeighborhood neighborhood(surface.Triangles(), rings);
+    NeighborhoodRule rule;
+    rule.minimumNumberOfPoints = 10;
+    EXPECT_EQ(neighborhood.Gather(center, rule).size(), 1 + OrderedRings::NeighborsOfLargeFan);
+  }
 }
