@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Mesh/TriangleMesh.h"
 
+#include "Mesh/PositionOrder.h"
+
 #include "Mesh/Regions.h"
 
 #include <Eigen/Geometry>
@@ -243,21 +245,34 @@ Eigen::Vector3d TriangleMesh::AreaNormal(Id t) const
 
 Eigen::Vector3d TriangleMesh::PointNormal(Id p) const
 {
+  double largest = 0.0;
   double area = 0.0;
-  Eigen::Vector3d normal = Eigen::Vector3d::Zero();
   for (const Id t : this->TrianglesAround(p))
   {
-    const Eigen::Vector3d ofTriangle = this->AreaNormal(t);
-    normal += ofTriangle;
-    area += ofTriangle.norm();
+    const Eigen::Vector3d normal = AreaNormalInOrder(*this, t);
+    largest = std::max(largest, normal.cwiseAbs().maxCoeff());
+    area += normal.norm();
   }
-  // What is left of triangles folded flat is round-off, which depends on their order.
-  constexpr double roundOff = 1e-9;
-  if (!(normal.norm() > roundOff * area))
+  // Rounded to one grain, far below what matters: such sums are exact in any order, so that the
+  // numbering does not show even in the last digit.
+  constexpr double grainsInLargest = 1 << 20;
+  const double grain = largest * grainsInLargest;
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (const Id t : this->TrianglesAround(p))
   {
-    normal.setZero();
+    const Eigen::Vector3d normal = AreaNormalInOrder(*this, t);
+    for (int i = 0; i < 3; ++i)
+    {
+      sum[i] += (normal[i] + grain) - grain;
+    }
   }
-  return normal;
+  // What is left of triangles that are folded flat is round-off.
+  constexpr double roundOff = 1e-8;
+  if (!(sum.norm() > roundOff * area))
+  {
+    sum.setZero();
+  }
+  return sum;
 }
 
 std::vector<Eigen::Vector3d> TriangleMesh::PointNormals() const
