@@ -161,13 +161,11 @@ JetErrors StandardErrors(const JetFitter& fitter, const JetFit& fit)
 
   const JetFitter::Factorization& solver = fitter.LastFactorization();
   Eigen::MatrixXd factors = GradientOfMongeForm(fit.jet).topRows(size);
-  double scale = fit.radius;
-  for (int d = 0; d <= fit.degree; ++d, scale /= fit.radius)
+  for (int d = 0; d <= fit.degree; ++d)
   {
     for (int j = 0; j <= d; ++j)
     {
-      factors.row(HeightJet::Index(d - j, j)) *=
-        HeightJet::Factorial(d - j) * HeightJet::Factorial(j) * scale;
+      factors.row(HeightJet::Index(d - j, j)) *= fit.DerivativePerCoefficient(d - j, j);
     }
   }
   factors.applyOnTheLeft(solver.colsPermutation().transpose());

@@ -5,6 +5,7 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -41,44 +42,65 @@ bool PrincipalFrame(const Eigen::Ref<const Eigen::Matrix3Xd>& offsets, const Eig
   return true;
 }
 
-/// From coefficients of monomials in units of the radius to derivatives.
-void SetDerivatives(const Eigen::VectorXd& coefficients, int degree, JetFit& fit)
+/// Axes by falling spread in the plane across an axis, which is the column 2; false where the
+/// points lie on a line in it.
+bool FrameAlong(const Eigen::Vector3d& axis, const Eigen::Ref<const Eigen::Matrix3Xd>& offsets,
+  Eigen::Matrix3d& frame)
 {
-  double scale = fit.radius;
-  for (int d = 0; d <= degree; ++d, scale /= fit.radius)
+  const Eigen::Vector3d u = axis.unitOrthogonal();
+  const Eigen::Vector3d v = axis.cross(u);
+  const Eigen::Vector3d mean = offsets.rowwise().mean();
+  double uu = 0.0;
+  double uv = 0.0;
+  double vv = 0.0;
+  for (Eigen::Index i = 0; i < offsets.cols(); ++i)
   {
-    for (int j = 0; j <= d; ++j)
-    {
-      const int i = HeightJet::Index(d - j, j);
-      fit.jet.derivatives[i] =
-        coefficients[i] * HeightJet::Factorial(d - j) * HeightJet::Factorial(j) * scale;
-    }
+    const Eigen::Vector3d d = offsets.col(i) - mean;
+    uu += d.dot(u) * d.dot(u);
+    uv += d.dot(u) * d.dot(v);
+    vv += d.dot(v) * d.dot(v);
   }
+  const double angle = 0.5 * std::atan2(2.0 * uv, uu - vv);
+  frame.col(2) = axis;
+  frame.col(0) = std::cos(angle) * u + std::sin(angle) * v;
+  frame.col(1) = axis.cross(frame.col(0));
+  constexpr double epsilon = std::numeric_limits<double>::epsilon();
+  const double mean2 = 0.5 * (uu + vv);
+  const double least = mean2 - std::hypot(0.5 * (uu - vv), uv);
+  return axis.squaredNorm() > 0.5 && least > 16.0 * epsilon * mean2;
 }
 
 } // namespace
 
-// The points in the frame and in units of the radius: their heights, and the monomials of u and v.
-void JetFitter::SetMonomials(
-  const Eigen::Ref<const Eigen::Matrix3Xd>& offsets, const JetFit& fit, int degree)
+double JetFit::DerivativePerCoefficient(int i, int j) const
 {
+  return HeightJet::Factorial(i) * HeightJet::Factorial(j) * std::pow(this->extents[0], -i) *
+    std::pow(this->extents[1], -j) * std::pow(this->radius, 1 - i - j);
+}
+
+/// The matrix and the right-hand side of the least squares, and the extents.
+void JetFitter::SetMonomials(const Eigen::Ref<const Eigen::Matrix3Xd>& offsets, JetFit& fit)
+{
+  const int degree = fit.degree;
   const Eigen::Index count = offsets.cols();
+  this->Local_.noalias() = (fit.frame.transpose() / fit.radius) * offsets;
+  fit.extents = this->Local_.topRows<2>().cwiseAbs().rowwise().maxCoeff();
+  this->Heights_ = this->Local_.row(2);
   this->Matrix_.resize(count, HeightJet::Size(degree));
-  this->Heights_.resize(count);
   for (Eigen::Index row = 0; row < count; ++row)
   {
-    const Eigen::Vector3d local = fit.frame.transpose() * offsets.col(row) / fit.radius;
-    this->Heights_[row] = local[2];
+    const double u = this->Local_(0, row) / fit.extents[0];
+    const double v = this->Local_(1, row) / fit.extents[1];
     this->Matrix_(row, 0) = 1.0;
     for (int d = 1; d <= degree; ++d)
     {
       for (int j = 0; j < d; ++j)
       {
         this->Matrix_(row, HeightJet::Index(d - j, j)) =
-          this->Matrix_(row, HeightJet::Index(d - 1 - j, j)) * local[0];
+          this->Matrix_(row, HeightJet::Index(d - 1 - j, j)) * u;
       }
       this->Matrix_(row, HeightJet::Index(0, d)) =
-        this->Matrix_(row, HeightJet::Index(0, d - 1)) * local[1];
+        this->Matrix_(row, HeightJet::Index(0, d - 1)) * v;
     }
   }
 }
@@ -95,29 +117,84 @@ void JetFitter::Weigh(const Eigen::Ref<const Eigen::Matrix3Xd>& offsets, double 
   this->Heights_.array() *= this->RootWeights_.array();
 }
 
-JetFit JetFitter::Fit(const Eigen::Ref<const Eigen::Matrix3Xd>& offsets, int degree,
-  const Eigen::Vector3d& side, Weighting weighting)
+// With A P = Q R, the covariance of the coefficients is (R P^T)^-1 times its transpose, for heights
+// of unit variance.
+double JetFitter::NoiseGain(const JetFit& fit, int order) const
+{
+  const int size = HeightJet::Size(fit.degree);
+  Eigen::MatrixXd derivatives = Eigen::MatrixXd::Zero(size, order + 1);
+  double binomial = 1.0;
+  for (int j = 0; j <= order; ++j)
+  {
+    derivatives(HeightJet::Index(order - j, j), j) = std::sqrt(binomial) *
+      fit.DerivativePerCoefficient(order - j, j) * std::pow(fit.radius, order - 1);
+    binomial *= static_cast<double>(order - j) / (j + 1);
+  }
+  derivatives.applyOnTheLeft(this->Solver_.colsPermutation().transpose());
+  this->Solver_.matrixQTZ()
+    .topLeftCorner(size, size)
+    .triangularView<Eigen::Upper>()
+    .transpose()
+    .solveInPlace(derivatives);
+  const auto count = static_cast<double>(this->Solver_.rows());
+  return derivatives.norm() * std::sqrt(count / std::max(1.0, count - size));
+}
+
+/// The degree and the radius; the degree is 0 if nothing can be fitted.
+JetFit JetFitter::Begin(const Eigen::Ref<const Eigen::Matrix3Xd>& offsets, int degree) const
 {
   JetFit fit;
-  const Eigen::Index count = offsets.cols();
-  while (degree > 0 && count < HeightJet::Size(degree))
+  while (degree > 0 && offsets.cols() < HeightJet::Size(degree))
   {
     --degree;
     fit.status |= FitTooFewPoints;
   }
-  if (degree == 0)
+  if (degree > 0)
   {
-    return fit;
+    fit.radius = std::sqrt(offsets.colwise().squaredNorm().maxCoeff());
+    fit.degree = fit.radius > 0.0 && std::isfinite(fit.radius) ? degree : 0;
   }
-  fit.radius = std::sqrt(offsets.colwise().squaredNorm().maxCoeff());
-  if (!(fit.radius > 0.0) || !std::isfinite(fit.radius) ||
-    !PrincipalFrame(offsets / fit.radius, side, fit.frame))
-  {
-    return fit;
-  }
+  return fit;
+}
 
+JetFit JetFitter::Fit(const Eigen::Ref<const Eigen::Matrix3Xd>& offsets, int degree,
+  const Eigen::Vector3d& side, Weighting weighting)
+{
+  JetFit fit = this->Begin(offsets, degree);
+  if (fit.degree > 0 && !PrincipalFrame(offsets / fit.radius, side, fit.frame))
+  {
+    fit.degree = 0;
+  }
+  if (fit.degree > 0)
+  {
+    this->FitInFrame(offsets, weighting, fit);
+  }
+  return fit;
+}
+
+JetFit JetFitter::FitAlong(const Eigen::Vector3d& axis,
+  const Eigen::Ref<const Eigen::Matrix3Xd>& offsets, int degree, Weighting weighting)
+{
+  JetFit fit = this->Begin(offsets, degree);
+  if (fit.degree > 0 && !FrameAlong(axis.stableNormalized(), offsets / fit.radius, fit.frame))
+  {
+    fit.degree = 0;
+  }
+  if (fit.degree > 0)
+  {
+    this->FitInFrame(offsets, weighting, fit);
+  }
+  return fit;
+}
+
+void JetFitter::FitInFrame(
+  const Eigen::Ref<const Eigen::Matrix3Xd>& offsets, Weighting weighting, JetFit& fit)
+{
+  const int degree = fit.degree;
+  const Eigen::Index count = offsets.cols();
   const int size = HeightJet::Size(degree);
-  this->SetMonomials(offsets, fit, degree);
+  this->SetMonomials(offsets, fit);
+
   double totalWeight = static_cast<double>(count);
   this->RootWeights_.resize(0);
   if (weighting == Weighting::Gaussian)
@@ -134,14 +211,30 @@ JetFit JetFitter::Fit(const Eigen::Ref<const Eigen::Matrix3Xd>& offsets, int deg
     pivots[size - 1] > 0.0 ? pivots[0] / pivots[size - 1] : std::numeric_limits<double>::max();
   fit.residual = (this->Matrix_ * solution - this->Heights_).norm() / std::sqrt(totalWeight);
 
-  SetDerivatives(solution, degree, fit);
-  fit.degree = degree;
+  for (int d = 0; d <= degree; ++d)
+  {
+    for (int j = 0; j <= d; ++j)
+    {
+      const int i = HeightJet::Index(d - j, j);
+      fit.jet.derivatives[i] = solution[i] * fit.DerivativePerCoefficient(d - j, j);
+    }
+  }
+  const bool isDetermined = fit.rank == size && fit.conditionNumber <= IllConditionedAbove;
+  if (degree >= 3 && fit.rank == size)
+  {
+    fit.noiseGain = this->NoiseGain(fit, 3);
+  }
   fit.status = static_cast<std::uint8_t>(fit.status & ~FitInvalid);
-  if (fit.rank < size || fit.conditionNumber > IllConditionedAbove)
+  // Where points lie in a narrow strip, what is left over in its length is large against what the
+  // surface curves across it.
+  constexpr double narrow = 0.2;
+  const bool isNarrow = fit.extents.minCoeff() < narrow;
+  const bool isLost =
+    isDetermined && degree >= 2 && isNarrow && this->UncertainTurn(fit) > MostTurn;
+  if (!isDetermined || isLost)
   {
     fit.status |= FitIllConditioned;
   }
-  return fit;
 }
 
 } // namespace ridges
