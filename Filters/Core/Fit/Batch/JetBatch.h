@@ -56,9 +56,11 @@ struct JetBatch
   alignas(64) double P1[MaximumLanes];
   alignas(64) double P2[MaximumLanes];
   alignas(64) double residual[MaximumLanes];        ///< As in JetFit.
-  alignas(64) double conditionNumber[MaximumLanes]; ///< As in JetFit, of the unpivoted system.
+  alignas(64) double conditionNumber[MaximumLanes]; ///< See JetBatchKernel.
+  alignas(64) double noiseGain[MaximumLanes];       ///< As in JetFit, see JetBatchKernel.
   alignas(64) double radius[MaximumLanes];          ///< As in JetFit.
   alignas(64) double good[MaximumLanes];            ///< Whether the lane has a result: 1 or 0.
+  alignas(64) double doubtful[MaximumLanes];        ///< Whether the surface may fold over: 1 or 0.
   ///@}
 };
 
@@ -74,13 +76,24 @@ struct JetBatch
  * `SmallestPivotRatio`, whose frame failed, or with a value that is not finite has no result and
  * is to be fitted by JetFitter.
  *
- * The condition number is that of the least squares, estimated from the factors: the longest column
- * of its matrix over a bound on the least singular value that is at most five times too large (by
- * experience, as the pivots in JetFit; in theory there is no such limit).
+ * The condition number is 0 if the frame failed, and `Singular` if a pivot did. Else it is that of
+ * the least squares, estimated from the factors: the longest column of its matrix over a bound on
+ * the least singular value that is at most five times too large (by experience, as the pivots in
+ * JetFit; in theory there is no such limit). Its points are in units of the radius. The noise gain
+ * is estimated too: by experience within a factor of 0.6 to 1.8.
  */
 struct JetBatchKernel
 {
   static constexpr double SmallestPivotRatio = 1e-9;
+  static constexpr double Singular = 1e300;
+
+  /// A lane is doubtful if its heights are off the polynomial by more than this, as noise in units
+  /// of the radius; if its points spread more than this along the normal, in units of the lesser
+  /// spread across it; or if a triangle of the fan has a cosine to the normal below this. Where the
+  /// surface folds over at least one is so.
+  static constexpr double MostNoise = 0.01;
+  static constexpr double MostSpread = 0.1;
+  static constexpr double UprightBelow = 0.1;
 
   const char* name;
   int lanes;

@@ -17,6 +17,7 @@ struct Frame
   Vec3 u, v, n;
   Vec radius;
   decltype(Vec{} < Vec{}) failed;
+  decltype(Vec{} < Vec{}) mayFold; ///< The points spread much along n, or the fan is sharp.
 };
 
 /// The continuous choice of Duff and others (Building an orthonormal basis, revisited, 2017).
@@ -74,23 +75,39 @@ inline SymmetricMatrix Covariance(const ridges::JetBatch& batch, Vec3* offsets, 
   return { scale * c.xx, scale * c.xy, scale * c.xz, scale * c.yy, scale * c.yz, scale * c.zz };
 }
 
-/// Where the normals are to point: the sum of the area normals of the fan, or what was given.
-inline Vec3 Side(const ridges::JetBatch& batch, const Vec3* offsets)
+constexpr double SmallestSlope = 1e-7;
+constexpr double LargestStep = 1e-6;
+constexpr double SmallestCosine = 0.5; // As in PointFitter.
+
+/// Gives n the sign of the sum of the area normals of the fan, or of what was given; marks fans of
+/// which a triangle is nearly upright or opposite.
+inline void ChooseSide(const ridges::JetBatch& batch, const Vec3* offsets, Frame& frame)
 {
   const Vec fans = Load(batch.fans);
   const Vec closed = Load(batch.closedFans);
   Vec3 side = Load3(batch.side);
+  Vec least{};
+  Vec most{};
+  Vec excess{};
   for (int i = 1; i <= batch.triangles; ++i)
   {
     const Vec number = Broadcast(i);
     const Vec3 to = Select(number == closed, offsets[1], offsets[i + 1]);
-    side = side + Select(number <= fans, Cross(offsets[i], to), Vec3{});
+    const Vec3 normal = Select(number <= fans, Cross(offsets[i], to), Vec3{});
+    const Vec along = Dot(frame.n, normal);
+    constexpr double square =
+      ridges::JetBatchKernel::UprightBelow * ridges::JetBatchKernel::UprightBelow;
+    excess = Max(excess, square * Dot(normal, normal) - along * along);
+    least = Min(least, along);
+    most = Max(most, along);
+    side = side + normal;
   }
-  return side;
+  const Vec along = Dot(frame.n, side);
+  frame.n = WithSign(Broadcast(1.0), along) * frame.n;
+  frame.mayFold |= excess > 0.0 || least * most < 0.0;
+  // Least spread is not always across the surface: see PointFitter.
+  frame.failed |= !(along * along > SmallestCosine * SmallestCosine * Dot(side, side));
 }
-
-constexpr double SmallestSlope = 1e-7;
-constexpr double LargestStep = 1e-6;
 
 /// The offsets, and the frame that they spread in.
 inline Frame PrincipalFrame(const ridges::JetBatch& batch, Vec3* offsets)
@@ -121,6 +138,11 @@ inline Frame PrincipalFrame(const ridges::JetBatch& batch, Vec3* offsets)
   // before, so that what is left is of the order of rounding.
   frame.failed = !(slope > SmallestSlope && Abs(f) < LargestStep * slope * slope);
 
+  // The two others, of a given sum and product, are at both sides of x where this is negative.
+  const Vec sum = 1.0 - t;
+  const Vec x = (1.0 / ridges::JetBatchKernel::MostSpread) * t;
+  frame.mayFold = (x - sum) * x + (m - t * sum) < 0.0 || x > 0.5 * sum;
+
   // Its eigenvector is orthogonal to the rows of C - t I: the longest of their cross products.
   const Vec3 row0{ c.xx - t, c.xy, c.xz };
   const Vec3 row1{ c.xy, c.yy - t, c.yz };
@@ -136,7 +158,7 @@ inline Frame PrincipalFrame(const ridges::JetBatch& batch, Vec3* offsets)
   longest = Select(length2 > length, candidate2, longest);
   length = Max(length, length2);
   frame.n = 1.0 / Sqrt(length) * longest;
-  frame.n = WithSign(Broadcast(1.0), Dot(frame.n, Side(batch, offsets))) * frame.n;
+  ChooseSide(batch, offsets, frame);
   CompleteFrame(frame);
   return frame;
 }

@@ -14,6 +14,52 @@
 namespace
 {
 
+/// What is known of the least squares.
+template <int Degree>
+inline void StoreQuality(ridges::JetBatch& batch, const Frame& frame,
+  const NormalEquations<Degree>& equations, const Vec& totalWeight)
+{
+  constexpr int size = NumberOfMonomials(Degree);
+  constexpr int first = NormalEquations<Degree>::FirstProbed;
+  Vec probe[size];
+  equations.Probe(probe);
+  Vec squares{};
+#pragma GCC unroll 15
+  for (int k = first; k < size; ++k)
+  {
+    squares += probe[k] * probe[k];
+  }
+  // No column of the least squares is longer than that of ones.
+  const Vec estimate = Sqrt((1.0 / (size - first)) * totalWeight * squares);
+  const Vec singular = Broadcast(ridges::JetBatchKernel::Singular);
+  Store(
+    batch.conditionNumber, frame.failed ? Vec{} : (equations.excess > 0.0 ? estimate : singular));
+  Vec gain{};
+  if constexpr (Degree >= 3)
+  {
+    const Vec* third = probe + NumberOfMonomials(2);
+    const Vec form = 36.0 * (third[0] * third[0] + third[3] * third[3]) +
+      12.0 * (third[1] * third[1] + third[2] * third[2]);
+    // Signs that are not at random make it larger, on meshes of all kinds about as much.
+    constexpr double tooLarge = 1.5;
+    const Vec counts = Load(batch.counts);
+    const Vec freedom = Max(counts - static_cast<double>(size), Broadcast(1.0));
+    gain = (1.0 / tooLarge) * Sqrt(form * counts / freedom);
+  }
+  Store(batch.noiseGain, gain);
+}
+
+/// Marks fits that are to be looked at closely.
+template <int Degree>
+inline void StoreDoubt(ridges::JetBatch& batch, const Frame& frame, const Vec& residual)
+{
+  constexpr double mostNoise = ridges::JetBatchKernel::MostNoise;
+  const Vec counts = Load(batch.counts);
+  const Vec freedom = Max(counts - static_cast<double>(NumberOfMonomials(Degree)), Broadcast(1.0));
+  const auto noisy = residual * residual * counts > mostNoise * mostNoise * freedom;
+  Store(batch.doubtful, noisy || frame.mayFold ? Broadcast(1.0) : Vec{});
+}
+
 template <int Degree>
 inline void FitDegree(ridges::JetBatch& batch)
 {
@@ -48,8 +94,7 @@ inline void FitDegree(ridges::JetBatch& batch)
   AddMoments<order, 3, order>(points, moments);
   NormalEquations<Degree> equations;
   equations.Factor(moments);
-  // No column is longer than that of ones.
-  const Vec conditionNumber = Sqrt(moments[0][0] * equations.LargestInverse());
+  StoreQuality<Degree>(batch, frame, equations, moments[0][0]);
 
   Vec coefficients[size];
   Project<Degree>(
@@ -80,11 +125,11 @@ inline void FitDegree(ridges::JetBatch& batch)
 
   const Vec residual = Sqrt(squares / totalWeight);
   Store(batch.residual, residual);
-  Store(batch.conditionNumber, conditionNumber);
   Store(batch.radius, frame.radius);
   const Vec zeros = StoreMongeForm<Degree>(batch, frame, coefficients, perRadius);
   const auto good = equations.excess > 0.0 && !frame.failed && zeros + 0.0 * residual == 0.0;
   Store(batch.good, good ? Broadcast(1.0) : Vec{});
+  StoreDoubt<Degree>(batch, frame, residual);
 }
 
 inline void FitLanes(ridges::JetBatch& batch)

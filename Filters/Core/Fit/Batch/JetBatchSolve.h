@@ -67,30 +67,33 @@ struct NormalEquations
     }
   }
 
+  /// The first of the coefficients that are probed: those of the degree, and of degree 3.
+  static constexpr int FirstProbed = NumberOfMonomials(Degree > 3 ? 2 : Degree - 1);
+
   /**
-   * A lower bound, to within 4 %, of 1 / (least singular value)^2 of the least squares A, where
-   * A^T A is what was factored: |x|^2 / |s|^2 for L^T x = D^(-1/2) s. The signs s are chosen one
-   * after the other so that x grows. This finds the polynomial that is nearly zero at all points
-   * whatever its coefficients are. Pivots alone do not: the last of them is small only if the last
-   * coefficient of that polynomial is large.
+   * Fixes the elements of y from FirstProbed on, where L^T y = D^(-1/2) s, to within 4 %, for signs
+   * s that are chosen one after the other so that y grows.
+   *
+   * With A^T A being what was factored, |y|^2 / |s|^2 is a lower bound of
+   * 1 / (least singular value of A)^2. It finds the polynomial that is nearly zero at all points
+   * whatever its coefficients are: some of those of the degree are large. Pivots alone do not: the
+   * last of them is small only if the last coefficient of that polynomial is large. For signs at
+   * random the mean of the square of an element would be the variance of the coefficient, for
+   * values of unit variance.
    */
-  inline Vec LargestInverse() const
+  inline void Probe(Vec* y) const
   {
-    Vec x[Size];
-    Vec squares{};
 #pragma GCC unroll 15
-    for (int row = Size - 1; row >= 0; --row)
+    for (int row = Size - 1; row >= FirstProbed; --row)
     {
       Vec sum{};
 #pragma GCC unroll 15
       for (int below = Size - 1; below > row; --below)
       {
-        sum -= this->L[below][row] * x[below];
+        sum -= this->L[below][row] * y[below];
       }
-      x[row] = sum + WithSign(RoughRoot(this->inverseD[row]), sum);
-      squares += x[row] * x[row];
+      y[row] = sum + CopySign(RoughRoot(this->inverseD[row]), sum);
     }
-    return (1.0 / Size) * squares;
   }
 
 private:

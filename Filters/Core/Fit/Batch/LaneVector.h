@@ -61,11 +61,19 @@ inline Vec Sqrt(const Vec& a)
   return root;
 }
 
+using Bits = unsigned long long __attribute__((vector_size(Lanes * sizeof(double))));
+
+/// A positive number with the sign of another.
+inline Vec CopySign(const Vec& a, const Vec& b)
+{
+  constexpr unsigned long long sign = 1ULL << 63;
+  return reinterpret_cast<Vec>(reinterpret_cast<Bits>(a) | (reinterpret_cast<Bits>(b) & sign));
+}
+
 /// The square root of a positive number to within 4 %, the same in all instruction sets: half the
 /// exponent, and a straight line through the roots of what is left.
 inline Vec RoughRoot(const Vec& a)
 {
-  using Bits = unsigned long long __attribute__((vector_size(Lanes * sizeof(double))));
   constexpr unsigned long long offset = 0x1ff7a3bea91d9b1bULL;
   return reinterpret_cast<Vec>((reinterpret_cast<Bits>(a) >> 1) + offset);
 }
