@@ -37,7 +37,8 @@ vtkStandardNewMacro(vtkJetFitting);
 static_assert(static_cast<int>(vtkJetFitting::FIT_BOUNDARY) == ridges::FitBoundary &&
     static_cast<int>(vtkJetFitting::FIT_TOO_FEW_POINTS) == ridges::FitTooFewPoints &&
     static_cast<int>(vtkJetFitting::FIT_ILL_CONDITIONED) == ridges::FitIllConditioned &&
-    static_cast<int>(vtkJetFitting::FIT_INVALID) == ridges::FitInvalid,
+    static_cast<int>(vtkJetFitting::FIT_INVALID) == ridges::FitInvalid &&
+    static_cast<int>(vtkJetFitting::FIT_FOLDED) == ridges::FitFolded,
   "FitStatusBits repeats ridges::FitStatus");
 
 namespace
@@ -124,6 +125,7 @@ std::string Complaint(vtkRidgesMesh& mesh, const ridges::OrderedRings& rings, vt
   };
   const vtkIdType invalid = count(vtkJetFitting::FIT_INVALID);
   const vtkIdType tooFew = count(vtkJetFitting::FIT_TOO_FEW_POINTS);
+  const vtkIdType folded = count(vtkJetFitting::FIT_FOLDED);
   say(mesh.GetNumberOfTriangulatedCells(), "polygons or strips were triangulated");
   say(mesh.GetNumberOfUnusableTriangles(),
     "triangles were left out (a repeated corner, or a point that is missing or not finite)");
@@ -140,11 +142,21 @@ std::string Complaint(vtkRidgesMesh& mesh, const ridges::OrderedRings& rings, vt
   say(invalid,
     "points have no fit (isolated, or too few or collinear neighbours): their values are 0");
   say(tooFew, "points have fewer neighbours than coefficients");
+  say(folded, "points lie where the surface folds over within their neighbourhood");
   say(count(vtkJetFitting::FIT_ILL_CONDITIONED), "points are ill conditioned");
-  if (invalid > 0 || tooFew > 0)
+  if (invalid > 0 || tooFew > 0 || folded > 0)
   {
-    say(mesh.CountCoincidentPoints(),
-      "points coincide with another (vtkStaticCleanPolyData merges them)");
+    const vtkIdType coincident = mesh.CountCoincidentPoints();
+    say(coincident, "points coincide with another (vtkStaticCleanPolyData merges them)");
+    if (coincident == 0 && folded > 0)
+    {
+      text << " (a finer mesh there helps)";
+    }
+    else if (coincident == 0 && 2 * std::max(invalid, tooFew) > points)
+    {
+      text << "; " << mesh.GetTriangles().NumberOfTriangles()
+           << " triangles are too few: refine the mesh";
+    }
   }
   return text.str();
 }

@@ -30,6 +30,7 @@
  * | FitConditionNumber | 1     | of the scaled least squares problem, no unit     |       |
  * | FitResidual        | 1     | rms of the height residuals, per fitting radius  |       |
  * | FitScale           | 1     | radius of the neighbourhood that was fitted      | L     |
+ * | FitNoiseGain       | 1     | error of ThirdOrder, per FitResidual / FitScale^2|       |
  *
  * and, if StandardErrors is on, the standard errors MaximumCurvatureError, MinimumCurvatureError,
  * ThirdOrderError (of b0 to b3), P1Error and P2Error, in the units of these values.
@@ -88,7 +89,8 @@ public:
     FIT_BOUNDARY = 1,        ///< On the border: the neighbourhood is one-sided.
     FIT_TOO_FEW_POINTS = 2,  ///< Fewer points than coefficients: fitted in a lower degree.
     FIT_ILL_CONDITIONED = 4, ///< The points hardly determine the polynomial.
-    FIT_INVALID = 8          ///< Nothing could be fitted: all values are 0.
+    FIT_INVALID = 8,         ///< Nothing could be fitted: all values are 0.
+    FIT_FOLDED = 16 ///< The surface folds over in the neighbourhood: fitted to a part of it.
   };
 
   ///@{

@@ -119,8 +119,9 @@ public:
 
   void AddTo(vtkPointData* pointData)
   {
-    for (const char* name : { names::FourthOrder, names::MaximumCurvatureError,
-           names::MinimumCurvatureError, names::ThirdOrderError, names::P1Error, names::P2Error })
+    for (const char* name :
+      { names::FourthOrder, names::MaximumCurvatureError, names::MinimumCurvatureError,
+        names::ThirdOrderError, names::P1Error, names::P2Error, names::FitNoiseGain })
     {
       pointData->RemoveArray(name);
     }

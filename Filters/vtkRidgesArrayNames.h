@@ -25,6 +25,7 @@ constexpr const char* FitStatus = "FitStatus";
 constexpr const char* FitConditionNumber = "FitConditionNumber";
 constexpr const char* FitResidual = "FitResidual";
 constexpr const char* FitScale = "FitScale";
+constexpr const char* FitNoiseGain = "FitNoiseGain";
 constexpr const char* MaximumCurvatureError = "MaximumCurvatureError";
 constexpr const char* MinimumCurvatureError = "MinimumCurvatureError";
 constexpr const char* ThirdOrderError = "ThirdOrderError";

@@ -10,11 +10,10 @@
 namespace
 {
 
-/// Condition numbers that one ring more may better.
-constexpr double GrowAbove = 2000.0;
-
-/// Batches estimate them lower, mostly by a third.
-constexpr double GrowBatchAbove = 0.5 * GrowAbove;
+/// Batches only estimate condition numbers, by experience within a factor of two. Between these
+/// limits PointFitter decides whether another ring is needed.
+constexpr double GoodBelow = 0.5 * ridges::PointFitter::GrowAbove;
+constexpr double GrowAbove = 2.0 * ridges::PointFitter::GrowAbove;
 
 bool IsFinite(const ridges::MongeForm& form)
 {
@@ -26,6 +25,17 @@ bool IsFinite(const ridges::MongeForm& form)
 }
 
 } // namespace
+
+vtkRidgesFitPoints::Scratch::Scratch(vtkRidgesFitPoints& fit)
+  : fitter(fit.Mesh, fit.Rings, fit.Wanted.rule, fit.Wanted.degree, fit.Wanted.weighting,
+      [&fit]()
+      {
+        std::call_once(fit.NormalsAreMade, [&fit]() { fit.Normals = fit.Mesh.PointNormals(); });
+        return fit.Normals.data();
+      })
+  , batches(fit.Mesh, fit.Rings, fit.Wanted.degree, fit.Wanted.weighting)
+{
+}
 
 vtkRidgesFitPoints::vtkRidgesFitPoints(const ridges::TriangleMesh& mesh,
   const ridges::OrderedRings& rings, const Settings& settings, vtkRidgesMongeOutput& output)
@@ -51,27 +61,28 @@ void vtkRidgesFitPoints::operator()(vtkIdType begin, vtkIdType end)
   }
   for (vtkIdType p = begin; p < end; ++p)
   {
-    this->Take(static_cast<ridges::Id>(p), *scratch);
+    this->Take(static_cast<ridges::Id>(p), 0, *scratch);
   }
-  this->FitBatches(*scratch);
+  this->FitBatches(0, *scratch);
+  this->GrowIllConditioned(*scratch);
 }
 
 /// Into the batches with it if it fits there, else it is fitted at once.
-void vtkRidgesFitPoints::Take(ridges::Id p, Scratch& scratch)
+void vtkRidgesFitPoints::Take(ridges::Id p, int ringsAdded, Scratch& scratch)
 {
-  const auto points = scratch.neighborhood.Gather(p, this->Wanted.rule);
+  const auto points = scratch.fitter.Gather(p, ringsAdded);
   const bool wholeRings = this->Wanted.rule.kind != ridges::NeighborhoodRule::Kind::Radius;
   if (!this->Kernel || !scratch.batches.Add(p, points, wholeRings))
   {
-    this->FitAlone(p, scratch);
+    this->FitAlone(p, ridges::PointFitter::Growth::Allowed, scratch);
   }
   else if (scratch.batches.IsFull())
   {
-    this->FitBatches(scratch);
+    this->FitBatches(ringsAdded, scratch);
   }
 }
 
-void vtkRidgesFitPoints::FitBatches(Scratch& scratch)
+void vtkRidgesFitPoints::FitBatches(int ringsAdded, Scratch& scratch)
 {
   if (scratch.batches.IsEmpty())
   {
@@ -84,54 +95,88 @@ void vtkRidgesFitPoints::FitBatches(Scratch& scratch)
       for (int lane = 0; lane < vertices.size(); ++lane)
       {
         const ridges::Id p = vertices[lane];
-        if (batch.good[lane] == 0.0 || !(batch.conditionNumber[lane] <= GrowBatchAbove))
+        switch (this->Judge(batch, lane, scratch))
         {
-          this->FitAlone(p, scratch);
-          continue;
-        }
-        this->Output.StoreStatus(
-          p, this->Rings.OnBorder(p) ? ridges::FitBoundary : ridges::FitGood);
-        if (this->Wanted.standardErrors)
-        {
-          // Batches do not keep what errors are made of. All other values stay theirs.
-          const ridges::JetFit fit =
-            this->Fit(p, scratch.neighborhood.Gather(p, this->Wanted.rule), scratch);
-          this->Output.StoreErrors(p, ridges::StandardErrors(scratch.fitter, fit));
+          case Verdict::IllConditioned:
+            scratch.illConditioned.push_back(
+              { p, batch.conditionNumber[lane] < ridges::JetFitter::IllConditionedAbove });
+            break;
+          case Verdict::Odd:
+            this->FitAlone(p, ridges::PointFitter::Growth::Allowed, scratch);
+            break;
+          default:
+            this->StoreGood(p, ringsAdded, scratch);
         }
       }
     });
 }
 
-ridges::JetFit vtkRidgesFitPoints::Fit(
-  ridges::Id p, ridges::Span<ridges::Id> points, Scratch& scratch) const
+/// Of those that are ill conditioned, a few more rings make most well conditioned: ring after ring,
+/// as long as there is hope.
+void vtkRidgesFitPoints::GrowIllConditioned(Scratch& scratch)
 {
-  const Eigen::Vector3d origin = this->Mesh.Point(p);
-  scratch.offsets.resize(3, points.size());
-  for (ridges::Id i = 0; i < points.size(); ++i)
+  std::vector<IllConditioned> points;
+  for (int added = 1; added <= ridges::PointFitter::MostRingsAdded && scratch.fitter.MayGrow();
+       ++added)
   {
-    scratch.offsets.col(i) = this->Mesh.Point(points[i]) - origin;
+    points.swap(scratch.illConditioned);
+    scratch.illConditioned.clear();
+    for (const IllConditioned& point : points)
+    {
+      this->Take(point.id, added, scratch);
+    }
+    this->FitBatches(added, scratch);
   }
-  return scratch.fitter.Fit(
-    scratch.offsets, this->Wanted.degree, this->Mesh.PointNormal(p), this->Wanted.weighting);
+  points.swap(scratch.illConditioned);
+  scratch.illConditioned.clear();
+  using Growth = ridges::PointFitter::Growth;
+  for (const IllConditioned& point : points)
+  {
+    this->FitAlone(point.id, point.isNearlyGood ? Growth::Allowed : Growth::OfNoUse, scratch);
+  }
 }
 
-void vtkRidgesFitPoints::FitAlone(ridges::Id p, Scratch& scratch)
+vtkRidgesFitPoints::Verdict vtkRidgesFitPoints::Judge(
+  const ridges::JetBatch& batch, int lane, const Scratch& scratch) const
 {
-  // One-sided neighbourhoods may hold enough points in too few rows: a few rings more help.
-  // Where the user has said how many rings, or how far, it stays at that.
-  using Kind = ridges::NeighborhoodRule::Kind;
-  constexpr int mostRingsAdded = 4;
-  const ridges::NeighborhoodRule& rule = this->Wanted.rule;
-  ridges::JetFit fit = this->Fit(p, scratch.neighborhood.Gather(p, rule), scratch);
-  const bool mayGrow = rule.kind == Kind::PointCount || rule.kind == Kind::RingsAndPointCount;
-  for (int added = 0; mayGrow && added < mostRingsAdded && fit.conditionNumber > GrowAbove; ++added)
+  if (!(batch.conditionNumber[lane] <= GrowAbove))
   {
-    fit = this->Fit(p, scratch.neighborhood.Grow(), scratch);
+    return Verdict::IllConditioned;
   }
+  if (batch.good[lane] == 0.0 || batch.conditionNumber[lane] > GoodBelow)
+  {
+    return Verdict::Odd;
+  }
+  if (batch.doubtful[lane] == 0.0)
+  {
+    return Verdict::Good;
+  }
+  const int lanes = this->Kernel->lanes;
+  const Eigen::Vector3d normal(batch.n[lane], batch.n[lanes + lane], batch.n[2 * lanes + lane]);
+  const ridges::Id* first = batch.neighbors[lane];
+  const bool isSteep =
+    scratch.fitter.IsSteep({ first, first + static_cast<int>(batch.counts[lane]) }, normal);
+  return isSteep ? Verdict::Odd : Verdict::Good;
+}
 
+void vtkRidgesFitPoints::StoreGood(ridges::Id p, int ringsAdded, Scratch& scratch)
+{
+  this->Output.StoreStatus(p, this->Rings.OnBorder(p) ? ridges::FitBoundary : ridges::FitGood);
+  if (this->Wanted.standardErrors)
+  {
+    // Batches do not keep what errors are made of. All other values stay theirs.
+    const ridges::JetFit fit = scratch.fitter.FitTo(scratch.fitter.Gather(p, ringsAdded));
+    this->Output.StoreErrors(p, ridges::StandardErrors(scratch.fitter.Fitter(), fit));
+  }
+}
+
+void vtkRidgesFitPoints::FitAlone(
+  ridges::Id p, ridges::PointFitter::Growth growth, Scratch& scratch)
+{
+  const ridges::JetFit fit = scratch.fitter.Fit(p, growth);
   // Less than a quadric says nothing of curvature, unless a plane was all that was asked for.
   vtkRidgesMongeOutput::Quality quality{ fit.conditionNumber, fit.residual, fit.radius,
-    fit.status };
+    fit.noiseGain, fit.status };
   if (fit.degree < std::min(2, this->Wanted.degree))
   {
     quality.status |= ridges::FitInvalid;
@@ -144,7 +189,7 @@ void vtkRidgesFitPoints::FitAlone(ridges::Id p, Scratch& scratch)
   this->Store(p, form, quality);
   if (this->Wanted.standardErrors)
   {
-    this->Output.StoreErrors(p, ridges::StandardErrors(scratch.fitter, fit));
+    this->Output.StoreErrors(p, ridges::StandardErrors(scratch.fitter.Fitter(), fit));
   }
 }
 

@@ -6,13 +6,14 @@
 #include "vtkRidgesMongeOutput.h"
 
 #include "Core/Fit/Batch/JetBatchFiller.h"
-#include "Core/Fit/JetFit.h"
+#include "Core/Fit/PointFitter.h"
 #include "Core/Mesh/OrderedRings.h"
-#include "Core/Mesh/RingNeighborhood.h"
 
 #include "vtkSMPThreadLocal.h"
 
 #include <memory>
+#include <mutex>
+#include <vector>
 
 /**
  * Fits jets to a range of points and stores their Monge forms: a functor for vtkSMPTools, private
@@ -35,23 +36,33 @@ public:
   void operator()(vtkIdType begin, vtkIdType end);
 
 private:
+  struct IllConditioned
+  {
+    ridges::Id id;
+    bool isNearlyGood; ///< With as many rings as it had last.
+  };
   struct Scratch
   {
-    explicit Scratch(const vtkRidgesFitPoints& fit)
-      : neighborhood(fit.Mesh, fit.Rings)
-      , batches(fit.Mesh, fit.Rings, fit.Wanted.degree, fit.Wanted.weighting)
-    {
-    }
-    ridges::RingNeighborhood neighborhood;
-    ridges::JetFitter fitter;
+    explicit Scratch(vtkRidgesFitPoints& fit);
+
+    ridges::PointFitter fitter;
     ridges::JetBatchFiller batches;
-    Eigen::Matrix3Xd offsets;
+    std::vector<IllConditioned> illConditioned;
   };
 
-  void Take(ridges::Id p, Scratch& scratch);
-  void FitBatches(Scratch& scratch);
-  ridges::JetFit Fit(ridges::Id p, ridges::Span<ridges::Id> points, Scratch& scratch) const;
-  void FitAlone(ridges::Id p, Scratch& scratch);
+  enum class Verdict
+  {
+    Good,
+    IllConditioned,
+    Odd ///< Whatever else is wrong.
+  };
+
+  void Take(ridges::Id p, int ringsAdded, Scratch& scratch);
+  void FitBatches(int ringsAdded, Scratch& scratch);
+  void GrowIllConditioned(Scratch& scratch);
+  Verdict Judge(const ridges::JetBatch& batch, int lane, const Scratch& scratch) const;
+  void StoreGood(ridges::Id p, int ringsAdded, Scratch& scratch);
+  void FitAlone(ridges::Id p, ridges::PointFitter::Growth growth, Scratch& scratch);
   void Store(
     ridges::Id p, const ridges::MongeForm& form, const vtkRidgesMongeOutput::Quality& quality);
 
@@ -60,6 +71,10 @@ private:
   Settings Wanted;
   vtkRidgesMongeOutput& Output;
   const ridges::JetBatchKernel* Kernel = nullptr;
+
+  // Of the points, if anything is to be looked at closely.
+  std::once_flag NormalsAreMade;
+  std::vector<Eigen::Vector3d> Normals;
   // Shared, as vtkSMPThreadLocal copies the (empty) value it starts from.
   vtkSMPThreadLocal<std::shared_ptr<Scratch>> PerThread;
 };

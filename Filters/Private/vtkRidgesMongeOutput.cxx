@@ -87,6 +87,7 @@ vtkRidgesMongeOutput::vtkRidgesMongeOutput(vtkIdType count, int order, bool stan
   this->Add(this->ConditionNumber, names::FitConditionNumber, 1, true);
   this->Add(this->Residual, names::FitResidual, 1, true);
   this->Add(this->Scale, names::FitScale, 1, true);
+  this->Add(this->NoiseGain, names::FitNoiseGain, 1, order >= 3);
   this->Allocate(count);
 }
 
@@ -104,6 +105,7 @@ void vtkRidgesMongeOutput::Store(vtkIdType p, const ridges::MongeForm& form, con
   Put(this->ConditionNumber, p, quality.conditionNumber);
   Put(this->Residual, p, quality.residual);
   Put(this->Scale, p, quality.radius);
+  Put(this->NoiseGain, p, quality.noiseGain);
   this->Status[p] = quality.status;
 }
 
@@ -122,6 +124,7 @@ void vtkRidgesMongeOutput::Store(
   Put<1>(this->ConditionNumber, points, batch.conditionNumber, lanes);
   Put<1>(this->Residual, points, batch.residual, lanes);
   Put<1>(this->Scale, points, batch.radius, lanes);
+  Put<1>(this->NoiseGain, points, batch.noiseGain, lanes);
 }
 
 void vtkRidgesMongeOutput::StoreErrors(vtkIdType p, const ridges::JetErrors& errors)
@@ -139,7 +142,7 @@ void vtkRidgesMongeOutput::AddTo(vtkPointData* pointData)
   for (const char* name : { names::Normals, names::MaximumCurvature, names::MinimumCurvature,
          names::MaximumDirection, names::MinimumDirection, names::ThirdOrder, names::FourthOrder,
          names::P1, names::P2, names::MaximumCurvatureError, names::MinimumCurvatureError,
-         names::ThirdOrderError, names::P1Error, names::P2Error })
+         names::ThirdOrderError, names::P1Error, names::P2Error, names::FitNoiseGain })
   {
     pointData->RemoveArray(name);
   }

@@ -30,6 +30,7 @@ public:
     double conditionNumber = 0.0;
     double residual = 0.0;
     double radius = 0.0;
+    double noiseGain = 0.0;
     int status = 0;
   };
 
@@ -55,7 +56,7 @@ private:
   void Allocate(vtkIdType count);
 
   double *Normals, *MaximumCurvature, *MinimumCurvature, *MaximumDirection, *MinimumDirection,
-    *ThirdOrder, *FourthOrder, *P1, *P2, *ConditionNumber, *Residual, *Scale;
+    *ThirdOrder, *FourthOrder, *P1, *P2, *ConditionNumber, *Residual, *Scale, *NoiseGain;
   double *MaximumCurvatureError, *MinimumCurvatureError, *ThirdOrderError, *P1Error, *P2Error;
   int* Status;
   std::vector<vtkSmartPointer<vtkDoubleArray>> Arrays;

@@ -97,9 +97,9 @@ TEST(JetFitting, OutputsTheDocumentedArrays)
   const vtkIdType n = mesh->GetNumberOfPoints();
   const auto fitted = Fit(mesh);
   vtkPointData* data = fitted->GetPointData();
-  EXPECT_EQ(data->GetNumberOfArrays(), 13);
+  EXPECT_EQ(data->GetNumberOfArrays(), 14);
   for (const char* name : { names::MaximumCurvature, names::MinimumCurvature, names::P1, names::P2,
-         names::FitConditionNumber, names::FitResidual, names::FitScale })
+         names::FitConditionNumber, names::FitResidual, names::FitScale, names::FitNoiseGain })
   {
     ExpectArray(data, name, VTK_DOUBLE, 1, n);
   }

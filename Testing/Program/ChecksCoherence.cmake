@@ -17,7 +17,7 @@ if (output MATCHES "passed")
 endif ()
 
 # Far too coarse a mesh: the place is printed, but it fails no check, strictly or not.
-set(coarse --surface blend --frequency 2 --no-picture --check)
+set(coarse --surface blend --frequency 3 --no-picture --check)
 run(0 ${coarse})
 expect("${output}"
   "patch contours +6\\.3, 2\\.2\\(c\\) +uncertain  [^\n]+\n +expected: 1 or 3 [^\n]+\n"

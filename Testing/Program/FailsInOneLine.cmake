@@ -25,7 +25,7 @@ expect_failure(1 "mesh.off has no face with three different corners at finite pl
   mesh.off --no-picture)
 file(REMOVE "${DIRECTORY}/mesh.off")
 
-set(example --frequency 8 --no-picture)
+set(example --frequency 10 --no-picture)
 
 # Files that cannot be written
 expect_failure(1 "there is no directory nowhere" ${example} --output nowhere/x)

@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkRidges contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef ridges_PointFitter_h
+#define ridges_PointFitter_h
+
+#include "Fit/JetFit.h"
+#include "Mesh/RingNeighborhood.h"
+
+#include <functional>
+
+namespace ridges
+{
+
+/**
+ * Fits to a neighbourhood whatever it takes, one point after the other.
+ *
+ * - The height axis is that of least spread, if it is within 60 degrees of the normal; else the
+ * mean normal of the neighbourhood. Around a rod that is meshed finely along its axis only, points
+ *   spread least along that axis.
+ * - A one-sided neighbourhood may hold enough points in too few rows. If the rule asks for a number
+ *   of points, up to four rings more are taken, until the least squares is well conditioned.
+ * - The surface may fold over within the neighbourhood, as on a coarse sphere, around a thin rod,
+ * or at the rim of a plate: the normals of some points are at right angles to the height axis, or
+ *   beyond, and there is no height function. Then only points are taken that face the same side as
+ *   the vertex, and are reached over such points, in the degree that they determine. The fit is
+ *   flagged as FitFolded.
+ * - What stays ill conditioned is fitted in a lower degree that the points determine.
+ *
+ * Holds scratch memory: use one per thread.
+ */
+class PointFitter
+{
+public:
+  /// Condition numbers that another ring or a lower degree may improve.
+  static constexpr double GrowAbove = 2000.0;
+  static constexpr int MostRingsAdded = 4;
+
+  /// Gives TriangleMesh::PointNormals, when they are needed.
+  using Normals = std::function<const Eigen::Vector3d*()>;
+
+  PointFitter(const TriangleMesh& mesh, const OrderedRings& rings, const NeighborhoodRule& rule,
+    int degree, Weighting weighting, Normals normals);
+
+  /// Whether the rule allows more rings.
+  bool MayGrow() const;
+
+  /// The neighbourhood by the rule, and so many rings more, if there are.
+  Span<Id> Gather(Id vertex, int ringsAdded = 0);
+
+  /// Without growth, if it was found to be of no use.
+  enum class Growth
+  {
+    Allowed,
+    OfNoUse
+  };
+  JetFit Fit(Id vertex, Growth growth = Growth::Allowed);
+
+  /// To these points, the vertex first.
+  JetFit FitTo(Span<Id> points, int degree);
+  JetFit FitTo(Span<Id> points) { return this->FitTo(points, this->Degree_); }
+
+  const JetFitter& Fitter() const { return this->Fitter_; }
+
+  /// Whether the surface is nearly upright anywhere in a neighbourhood, or beyond. Where it is not,
+  /// it does not fold over.
+  bool IsSteep(Span<Id> points, const Eigen::Vector3d& axis) const;
+
+private:
+  Id CountBelow(double cosine, Span<Id> points, const Eigen::Vector3d& axis) const;
+  bool FoldsOver(Span<Id> points, const JetFit& fit) const;
+  void SetOffsets(Span<Id> points);
+  JetFit FitGrown(Id vertex, const JetFit& first, Span<Id>& points);
+  JetFit FitBeforeFold(Id vertex, const JetFit& folded);
+  JetFit FitLower(Span<Id> points, const JetFit& fit, double mostCondition);
+
+  const TriangleMesh& Mesh_;
+  NeighborhoodRule Rule_;
+  int Degree_;
+  Weighting Weighting_;
+  Normals Normals_;
+  RingNeighborhood Neighborhood_;
+  JetFitter Fitter_;
+  Eigen::Matrix3Xd Offsets_;
+};
+
+} // namespace ridges
+
+#endif
