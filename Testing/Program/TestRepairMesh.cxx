@@ -289,8 +289,41 @@ TEST(CoordinateGrain, WarnsWhereSinglePrecisionIsCoarseForTheEdges)
   // The spacing of 32-bit numbers from 2^19 to 2^20 is 2^-4.
   EXPECT_NE(program::WarnOfGrain(mesh).text.find("0.062"), std::string::npos);
   EXPECT_NE(program::WarnOfGrain(mesh).advice.find("relative to a point"), std::string::npos);
-  mesh.isSinglePrecision = false;
+}
+
+TEST(CoordinateGrain, ReportsThatCoordinatesNeedDoublePrecisionFarFromTheOrigin)
+{
+  PolygonMesh mesh = Ellipsoid(10);
+  for (PolygonMesh::Point& point : mesh.points)
+  {
+    point[0] += 100.0; // Steps of 8e-6, with a size in edges of 18: well below the limit.
+  }
   EXPECT_EQ(program::WarnOfGrain(mesh).text, "");
+  for (PolygonMesh::Point& point : mesh.points)
+  {
+    point[0] += 758218.0;
+  }
+  EXPECT_NE(program::WarnOfGrain(mesh).text.find("need double precision"), std::string::npos);
+  EXPECT_NE(program::WarnOfGrain(mesh).text.find("0.062"), std::string::npos);
+}
+
+TEST(CoordinateGrain, WarnsOfFewDecimals)
+{
+  for (const auto& [decimals, isCoarse] :
+    { std::pair(2, true), std::pair(4, true), std::pair(7, false) })
+  {
+    PolygonMesh mesh = Ellipsoid(10);
+    const double step = std::pow(10.0, -decimals);
+    for (PolygonMesh::Point& point : mesh.points)
+    {
+      for (double& x : point)
+      {
+        x = step * std::round(x / step);
+      }
+    }
+    EXPECT_EQ(program::WarnOfGrain(mesh).text.find("multiples of") != std::string::npos, isCoarse)
+      << decimals;
+  }
 }
 
 TEST(CoordinateGrain, WarnsOfFineMeshesNearTheOrigin)

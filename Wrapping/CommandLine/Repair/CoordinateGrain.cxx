@@ -65,11 +65,39 @@ double GrainAt(double x)
   return std::nextafter(single, std::numeric_limits<float>::infinity()) - single;
 }
 
+/// Whether all coordinates are multiples of a step, as numbers that were written with a few
+/// decimals are.
+bool AreMultiplesOf(double step, const PolygonMesh& mesh)
+{
+  // Products up to here are exact enough to see a hundredth of a step.
+  constexpr double largest = 1e13;
+  constexpr double tolerance = 0.01;
+  const auto isMultiple = [step](double x)
+  {
+    const double count = x / step;
+    return std::abs(count) < largest && std::abs(count - std::round(count)) < tolerance;
+  };
+  return std::all_of(mesh.corners.begin(), mesh.corners.end(),
+    [&mesh, &isMultiple](vtkIdType corner)
+    {
+      const PolygonMesh::Point& point = mesh.points[static_cast<std::size_t>(corner)];
+      return std::all_of(point.begin(), point.end(), isMultiple);
+    });
+}
+
+std::string Formatted(const char* format, double a, double b, double c = 0.0)
+{
+  char text[256];
+  std::snprintf(text, sizeof(text), format, a, b, c);
+  return text;
+}
+
 } // namespace
 
 GrainWarning WarnOfGrain(const PolygonMesh& mesh)
 {
-  if (!mesh.isSinglePrecision || mesh.corners.empty())
+  const double edge = MeanEdge(mesh);
+  if (!(edge > 0.0) || !std::isfinite(edge))
   {
     return {};
   }
@@ -77,24 +105,50 @@ GrainWarning WarnOfGrain(const PolygonMesh& mesh)
   // by the square of the size. At this ratio a smooth surface had 20 times its ridges; at a tenth
   // of it they were right.
   constexpr double coarse = 0.03;
-  const double edge = MeanEdge(mesh);
   const Extent extent = ExtentOf(mesh);
-  const double grain = GrainAt(extent.largest);
   const double sizeInEdges = extent.size / edge;
-  if (!(edge > 0.0) || grain / edge * sizeInEdges * sizeInEdges <= coarse)
-  {
-    return {};
-  }
-  char text[256];
-  std::snprintf(text, sizeof(text),
-    "the coordinates are in single precision, in steps of up to %.2g, which is %.2g of the mean "
-    "edge: the ridges may show these steps",
-    grain, grain / edge);
+  const double mostGrain = coarse * edge / (sizeInEdges * sizeInEdges);
+  const double grain = GrainAt(extent.largest);
   const bool isFar = extent.largest > 4.0 * extent.size;
-  return { text,
-    std::string("store the coordinates in double precision") +
-      (isFar ? ", or relative to a point of the model" : "") +
-      "; --neighborhood automatic reduces the effect" };
+  if (mesh.isSinglePrecision)
+  {
+    if (grain <= mostGrain)
+    {
+      return {};
+    }
+    return { Formatted("the coordinates are in single precision, in steps of up to %.2g, which is "
+                       "%.2g of the mean edge: the ridges may show these steps",
+               grain, grain / edge),
+      std::string("store the coordinates in double precision") +
+        (isFar ? ", or relative to a point of the model" : "") +
+        "; --neighborhood automatic reduces the effect" };
+  }
+  double step = std::pow(10.0, std::ceil(std::log10(mostGrain)));
+  if (AreMultiplesOf(step, mesh))
+  {
+    while (10.0 * step <= edge && AreMultiplesOf(10.0 * step, mesh))
+    {
+      step *= 10.0;
+    }
+    // Steps as long as the edges were meant: those of a grid.
+    if (step > 0.1 * edge)
+    {
+      return {};
+    }
+    return { Formatted("all coordinates are multiples of %.2g, which is %.2g of the mean edge: if "
+                       "they have been rounded to that, the ridges may show it",
+               step, step / edge),
+      "store the coordinates with more digits; --neighborhood automatic reduces the effect" };
+  }
+  if (isFar && grain > mostGrain)
+  {
+    return { Formatted("the coordinates are far from the origin, up to %.2g, and need double "
+                       "precision, which they have here: in single precision they would be rounded "
+                       "to steps of %.2g, which is %.2g of the mean edge",
+               extent.largest, grain, grain / edge),
+      "keep them in double precision in other programs, or relative to a point of the model" };
+  }
+  return {};
 }
 
 } // namespace program

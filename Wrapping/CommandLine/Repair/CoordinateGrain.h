@@ -16,8 +16,9 @@ struct GrainWarning
   std::string advice;
 };
 
-/// A warning if coordinates that were stored in single precision are too coarse for the edges of
-/// the mesh. Then ridges show the rounding rather than the surface.
+/// A warning if coordinates that were stored in single precision, or with few decimals, are too
+/// coarse for the edges of the mesh. Then ridges show the rounding rather than the surface. Also if
+/// coordinates far from the origin are fine in double precision only.
 GrainWarning WarnOfGrain(const PolygonMesh& mesh);
 
 } // namespace program
