@@ -34,10 +34,10 @@ constexpr Id None = -1;
 struct Node
 {
   double length = 0.0; ///< Of the path from the umbilic that has the triangle.
-  Id steps = 0;        ///< The same in triangles.
+  Id steps = 0;        ///< The same in triangles; without an owner, the front it is in, if any.
   Id owner = None;     ///< That umbilic.
   Id previous = None;  ///< The triangle before this one on the path.
-  Id path = None;      ///< A path along which umbilics were cancelled.
+  std::array<Id, 3> across = { None, None, None }; ///< Neighbours that paths may pass through.
 };
 
 /// Neighbouring triangles of two opposite umbilics, that of the one that comes first at first.
@@ -64,10 +64,11 @@ public:
 private:
   bool IsPositive(Id charge) const { return this->Charges_[charge].halfTurns > 0; }
   bool AreOpposite(Id a, Id b) const { return this->IsPositive(a) != this->IsPositive(b); }
-  double Step(Id a, Id b) const
+  Eigen::Map<const Eigen::Vector3d> CentroidOf(Id triangle) const
   {
-    return (this->Mesh_.Centroid(a) - this->Mesh_.Centroid(b)).norm();
+    return Eigen::Map<const Eigen::Vector3d>(this->Centroids_[triangle].data());
   }
+  double Step(Id a, Id b) const { return (this->CentroidOf(a) - this->CentroidOf(b)).norm(); }
   /// Of the path across two neighbouring triangles, that of the umbilic that comes first at first.
   double PathLength(Id triangle, Id beside) const
   {
@@ -89,9 +90,11 @@ private:
   const TriangleMesh& Mesh_;
   const std::vector<IndexCharge>& Charges_;
   std::vector<std::uint8_t> IsActive_; ///< Whether an umbilic may be cancelled and is not yet.
-  std::vector<std::uint8_t> IsOpen_;   ///< Whether paths may pass through a triangle.
   std::array<Id, 2> Left_ = { 0, 0 };  ///< Active ones, negative and positive.
   Buffer<Node> Nodes_;
+  Buffer<std::array<double, 3>> Centroids_; ///< Of the triangles that paths may pass through.
+  std::vector<Id>
+    PathOf_; ///< Of each triangle a path along which umbilics were cancelled, or None.
   std::vector<std::vector<Id>> Front_;         ///< By steps: triangles that may be that far.
   std::vector<std::vector<Meeting>> Meetings_; ///< By steps of the whole path.
   std::size_t FirstFront_ = 1;                 ///< None before this one is left.
@@ -105,21 +108,41 @@ Growth::Growth(const TriangleMesh& mesh, const std::vector<IndexCharge>& charges
   : Mesh_(mesh)
   , Charges_(charges)
   , IsActive_(charges.size())
-  , IsOpen_(isWeak)
   , Nodes_(isWeak.size())
+  , Centroids_(isWeak.size())
+  , PathOf_(isWeak.size(), None)
 {
+  std::vector<std::uint8_t> isOpen(isWeak);
+  for (const IndexCharge& charge : charges)
+  {
+    isOpen[charge.triangle] = std::abs(charge.halfTurns) == 1 ? 1 : 0;
+  }
   loop(mesh.NumberOfTriangles(),
-    [this](Id begin, Id end)
-    { std::fill(this->Nodes_.begin() + begin, this->Nodes_.begin() + end, Node{}); });
+    [this, &isOpen](Id begin, Id end)
+    {
+      for (Id t = begin; t < end; ++t)
+      {
+        if (isOpen[t])
+        {
+          const Eigen::Vector3d center = this->Mesh_.Centroid(t);
+          this->Centroids_[t] = { center[0], center[1], center[2] };
+        }
+        Node node;
+        for (int side = 0; isOpen[t] && side < 3; ++side)
+        {
+          const Id next = this->Mesh_.Neighbor(t, side);
+          node.across[side] = next >= 0 && isOpen[next] ? next : None;
+        }
+        this->Nodes_[t] = node;
+      }
+    });
   for (Id i = 0; i < static_cast<Id>(charges.size()); ++i)
   {
-    const Id t = charges[i].triangle;
     const bool active = std::abs(charges[i].halfTurns) == 1;
     this->IsActive_[i] = active ? 1 : 0;
-    this->IsOpen_[t] = active ? 1 : 0;
     if (active)
     {
-      this->Nodes_[t].owner = i;
+      this->Nodes_[charges[i].triangle].owner = i;
       ++this->Left_[this->IsPositive(i) ? 1 : 0];
     }
   }
@@ -171,7 +194,16 @@ void Growth::GrowTo(std::size_t steps)
 
 void Growth::AddToFront(Id triangle, std::size_t steps)
 {
-  this->Front_.resize(std::max(this->Front_.size(), steps + 1));
+  Node& node = this->Nodes_[triangle];
+  if (node.steps == static_cast<Id>(steps))
+  {
+    return;
+  }
+  node.steps = static_cast<Id>(steps);
+  if (this->Front_.size() <= steps)
+  {
+    this->Front_.resize(steps + 1);
+  }
   this->Front_[steps].push_back(triangle);
   this->FirstFront_ = std::min(this->FirstFront_, steps);
 }
@@ -184,10 +216,9 @@ bool Growth::Settle(Id triangle, Id steps)
   {
     return false;
   }
-  for (int side = 0; side < 3; ++side)
+  for (const Id previous : node.across)
   {
-    const Id previous = this->Mesh_.Neighbor(triangle, side);
-    if (previous < 0)
+    if (previous == None)
     {
       continue;
     }
@@ -207,30 +238,38 @@ bool Growth::Settle(Id triangle, Id steps)
       node.previous = previous;
     }
   }
-  node.steps = steps;
-  return node.owner != None;
+  const bool isSettled = node.owner != None;
+  if (isSettled || node.steps == steps)
+  {
+    node.steps = isSettled ? steps : 0;
+  }
+  return isSettled;
 }
 
 /// What is next to a triangle that was settled: more to grow into, and opposite umbilics.
 void Growth::LookAround(Id triangle)
 {
   const Node& node = this->Nodes_[triangle];
-  for (int side = 0; side < 3; ++side)
+  for (const Id next : node.across)
   {
-    const Id next = this->Mesh_.Neighbor(triangle, side);
-    if (next < 0 || !this->IsOpen_[next])
+    if (next == None)
     {
       continue;
     }
     const Node& other = this->Nodes_[next];
+    // Neighbours that are umbilics both look at each other: once is enough.
+    const bool isKnown = node.steps + other.steps == 0 && node.owner > other.owner;
     if (other.owner == None)
     {
       this->AddToFront(next, node.steps + 1);
     }
-    else if (this->AreOpposite(node.owner, other.owner))
+    else if (!isKnown && this->AreOpposite(node.owner, other.owner))
     {
       const std::size_t steps = static_cast<std::size_t>(node.steps) + other.steps + 1;
-      this->Meetings_.resize(std::max(this->Meetings_.size(), steps + 1));
+      if (this->Meetings_.size() <= steps)
+      {
+        this->Meetings_.resize(steps + 1);
+      }
       const Id ofFirst = node.owner < other.owner ? triangle : next;
       const Id ofSecond = ofFirst == triangle ? next : triangle;
       this->Meetings_[steps].push_back({ this->PathLength(ofFirst, ofSecond), ofFirst, ofSecond });
@@ -303,15 +342,15 @@ void Growth::Free(Id charge)
 {
   const Id start = this->Charges_[charge].triangle;
   this->Nodes_[start].owner = None;
+  this->Nodes_[start].steps = 0;
   this->Scratch_.assign(1, start);
   while (!this->Scratch_.empty())
   {
     const Id t = this->Scratch_.back();
     this->Scratch_.pop_back();
-    for (int side = 0; side < 3; ++side)
+    for (const Id next : this->Nodes_[t].across)
     {
-      const Id next = this->Mesh_.Neighbor(t, side);
-      if (next < 0 || this->Nodes_[next].owner == None)
+      if (next == None || this->Nodes_[next].owner == None)
       {
         continue;
       }
@@ -319,6 +358,7 @@ void Growth::Free(Id charge)
       if (other.owner == charge)
       {
         other.owner = None;
+        other.steps = 0;
         this->Scratch_.push_back(next);
       }
       else if (this->IsActive(other.owner))
@@ -333,15 +373,15 @@ void Growth::AddPath(Id from, Id path)
 {
   for (Id t = from; t != None; t = this->Nodes_[t].previous)
   {
-    Node& node = this->Nodes_[t];
-    if (node.path == None)
+    Id& pathOf = this->PathOf_[t];
+    if (pathOf == None)
     {
-      node.path = path;
+      pathOf = path;
       this->OnPaths_.push_back(t);
     }
     else
     {
-      this->Parents_[this->RootOf(node.path)] = this->RootOf(path);
+      this->Parents_[this->RootOf(pathOf)] = this->RootOf(path);
     }
   }
 }
@@ -367,19 +407,21 @@ void Growth::CollectRegions(Cancellation& result)
   Id count = 0;
   for (const IndexCharge& charge : this->Charges_)
   {
-    const Id path = this->Nodes_[charge.triangle].path;
+    const Id path = this->PathOf_[charge.triangle];
     if (path != None)
     {
       Id& region = regionOfPath[this->RootOf(path)];
       region = region == Cancellation::NoRegion ? count++ : region;
     }
   }
-  result.regionOf.assign(this->Nodes_.size(), Cancellation::NoRegion);
+  // From now on of each triangle its region.
+  static_assert(None == Cancellation::NoRegion, "the rest is in no region");
+  result.regionOf = std::move(this->PathOf_);
   std::vector<std::size_t> ends(count, 0);
   for (const Id t : this->OnPaths_)
   {
-    const Id region = regionOfPath[this->RootOf(this->Nodes_[t].path)];
-    result.regionOf[t] = region;
+    Id& region = result.regionOf[t];
+    region = regionOfPath[this->RootOf(region)];
     ++ends[region];
   }
   std::partial_sum(ends.begin(), ends.end(), ends.begin());
