@@ -171,4 +171,45 @@ double MongeInterpolation::Extremality(Color color, double t) const
   return x * x * (b[0] * x + 3.0 * b[1] * y) + y * y * (3.0 * b[2] * x + b[3] * y);
 }
 
+// The extremality is a cubic form of the direction, whose coefficients are linear in t; divided by
+// the cube of one coordinate, it is a polynomial in the tangent or cotangent of the direction's
+// angle. The factor has no part in the step, which is that of the extremality itself.
+MongeInterpolation::NewtonStep MongeInterpolation::StepToCrossing(Color color, double t) const
+{
+  const double along = (1.0 - t) * this->GapP_ + t * this->AlongQ_;
+  const double across = t * this->AcrossQ_;
+  const double square = along * along + across * across;
+  const double gap = std::sqrt(square);
+  double turning = square > 0.0 ? 0.5 * this->GapP_ * this->AcrossQ_ / square : 0.0; // of d1
+  const double tangent = gap > 0.0 ? across / (gap + std::abs(along)) : 0.0;
+
+  SymmetricTensor<3> form = Between<3>(this->ThirdOrderP_, this->ThirdOrderQ_, t);
+  SymmetricTensor<3> slope;
+  for (std::size_t j = 0; j < slope.size(); ++j)
+  {
+    slope[j] = this->ThirdOrderQ_[j] - this->ThirdOrderP_[j];
+  }
+  if (color == Color::Red)
+  {
+    form = { form[3], -form[2], form[1], -form[0] };
+    slope = { slope[3], -slope[2], slope[1], -slope[0] };
+  }
+  double sign = 1.0;
+  if (along < 0.0)
+  {
+    // d1 is nearer to the second axis: the tangent is its cotangent, which turns the other way.
+    std::reverse(form.begin(), form.end());
+    std::reverse(slope.begin(), slope.end());
+    sign = std::copysign(1.0, across);
+    turning = -turning;
+  }
+  const auto cubic = [tangent](const SymmetricTensor<3>& f)
+  { return f[0] + tangent * (3.0 * f[1] + tangent * (3.0 * f[2] + tangent * f[3])); };
+  const double value = cubic(form);
+  const double inTangent = 3.0 * (form[1] + tangent * (2.0 * form[2] + tangent * form[3]));
+  const double change =
+    cubic(slope) + turning * (inTangent * (1.0 + tangent * tangent) - 3.0 * value * tangent);
+  return { sign * value, -value / change };
+}
+
 } // namespace ridges

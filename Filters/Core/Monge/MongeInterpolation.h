@@ -43,6 +43,15 @@ public:
   /// frame that the acute rule turns it to: the signs at the ends differ where IsCrossed.
   double Extremality(Color color, double t) const;
 
+  /// Extremality but for a positive factor, and the step along t to where it would vanish if it
+  /// kept its slope.
+  struct NewtonStep
+  {
+    double value;
+    double step;
+  };
+  NewtonStep StepToCrossing(Color color, double t) const;
+
   /// A turn in the tangent plane.
   struct Turn
   {

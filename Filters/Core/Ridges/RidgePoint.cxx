@@ -15,34 +15,29 @@ namespace ridges
 namespace
 {
 
-/// The zero of the extremality between the two ends, where it has opposite signs: regula falsi in
-/// its Illinois form, whose first step is equation (4).
-double FindCrossing(const MongeInterpolation& interpolation, Color color)
+/// The zero of the extremality between two ends where it has these values, of opposite signs:
+/// Newton's method from the point of equation (4), or halving where that leads astray.
+double FindCrossing(
+  const MongeInterpolation& interpolation, Color color, double atBegin, double atEnd)
 {
-  constexpr double tolerance = 1e-8; // of the edge
+  constexpr double tolerance = 1e-8; // of the edge; the last step squares the error
   double begin = 0.0;
   double end = 1.0;
-  double atBegin = interpolation.Extremality(color, begin);
-  double atEnd = interpolation.Extremality(color, end);
   double t = CrossingParameter(atBegin, atEnd);
   double step = 1.0;
-  int lastSide = 0;
-  for (int i = 0; i < 50 && step > tolerance; ++i)
+  for (int i = 0; i < 100 && step > tolerance; ++i)
   {
-    const double value = interpolation.Extremality(color, t);
-    const int side = ExtremalitySign(value) == ExtremalitySign(atBegin) ? -1 : 1;
-    if (value == 0.0)
+    const auto newton = interpolation.StepToCrossing(color, t);
+    if (newton.value == 0.0)
     {
       break;
     }
-    (side < 0 ? begin : end) = t;
-    (side < 0 ? atBegin : atEnd) = value;
-    if (side == lastSide)
+    (ExtremalitySign(newton.value) == ExtremalitySign(atBegin) ? begin : end) = t;
+    double next = t + newton.step;
+    if (!(begin <= next && next <= end && std::abs(newton.step) < 0.5 * step))
     {
-      (side < 0 ? atEnd : atBegin) *= 0.5;
+      next = 0.5 * (begin + end);
     }
-    lastSide = side;
-    const double next = begin + (end - begin) * CrossingParameter(atBegin, atEnd);
     step = std::abs(next - t);
     t = next;
   }
@@ -77,9 +72,10 @@ RidgePoint RidgePointOnEdge(
 {
   const OrderedEdge ends(mesh, edge);
   const MongeInterpolation interpolation(field, ends.p, ends.q);
-  const double t = rule == CrossingRule::Form
-    ? FindCrossing(interpolation, color)
-    : CrossingParameter(field.Extremality(color, ends.p), field.Extremality(color, ends.q));
+  const double atP = field.Extremality(color, ends.p);
+  const double atQ = field.Extremality(color, ends.q);
+  const double t = rule == CrossingRule::Form ? FindCrossing(interpolation, color, atP, atQ)
+                                              : CrossingParameter(atP, atQ);
   return Interpolate(mesh, field, color, ends, interpolation, t);
 }
 

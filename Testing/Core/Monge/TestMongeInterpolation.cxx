@@ -86,6 +86,37 @@ TEST(MongeInterpolation, ExtremumIsThatOfTheWholeForm)
 }
 
 //------------------------------------------------------------------------------
+TEST(MongeInterpolation, StepToCrossingIsNewtons)
+{
+  // Of a difference quotient of this width, relative: the square of the width, times a third
+  // derivative of some thousands near umbilics.
+  const double width = 1e-6;
+  const double tolerance = 1e-5;
+  std::mt19937_64 generator(73);
+  int pastTheDiagonal = 0;
+  for (int trial = 0; trial < 500; ++trial)
+  {
+    FieldArrays arrays(2);
+    arrays.Set(0, RandomForm(InBall(generator).normalized(), generator));
+    arrays.Set(1, RandomForm(InBall(generator).normalized(), generator));
+    const MongeInterpolation between(arrays.View(), 0, 1);
+    const double t = 0.5 * (1.0 + Symmetric(generator));
+    pastTheDiagonal += std::abs(between.At(t).d1.dot(arrays.View().D1(0))) < std::sqrt(0.5) ? 1 : 0;
+    for (const Color color : { Color::Blue, Color::Red })
+    {
+      const double value = between.Extremality(color, t);
+      const double slope =
+        (between.Extremality(color, t + width) - between.Extremality(color, t - width)) /
+        (2.0 * width);
+      const auto newton = between.StepToCrossing(color, t);
+      EXPECT_EQ(std::signbit(newton.value), std::signbit(value));
+      EXPECT_NEAR(-newton.step * slope, value, tolerance * (std::abs(value) + std::abs(slope)));
+    }
+  }
+  EXPECT_GT(pastTheDiagonal, 50);
+}
+
+//------------------------------------------------------------------------------
 TEST(MongeInterpolation, IsLinearInTheFormsOfACommonTangentPlane)
 {
   std::mt19937_64 generator(71);
