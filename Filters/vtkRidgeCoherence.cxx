@@ -6,9 +6,14 @@
 #include "Core/Coherence/Severity.h"
 #include "vtkRidgesArrayNames.h"
 #include "vtkRidgesCheckText.h"
+#include "vtkRidgesCompatibility.h"
 #include "vtkRidgesPictureInput.h"
 #include "vtkRidgesRequest.h"
 
+#include "vtkCompositeDataIterator.h"
+#include "vtkCompositeDataSet.h"
+#include "vtkDataObject.h"
+#include "vtkDemandDrivenPipeline.h"
 #include "vtkDoubleArray.h"
 #include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
@@ -17,10 +22,12 @@
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
 #include "vtkStringArray.h"
 #include "vtkTable.h"
 
 #include <string>
+#include <vector>
 
 namespace names = vtkRidgesArrayNames;
 
@@ -109,6 +116,99 @@ void Store(const std::vector<ridges::CoherenceCheck>& checks, const ridges::Ridg
   output->ShallowCopy(table);
 }
 
+/// What is checked together: the inputs, or a block of each.
+struct Surface
+{
+  vtkDataObject* mesh;
+  vtkDataObject* ridges;
+  vtkDataObject* umbilics; ///< Null: those of the mesh's field data.
+};
+
+/// Returns what is wrong with the inputs, as text. If nothing is, fills the output, unless the user
+/// aborts the filter, whose progress runs from `from` to `to`.
+std::string Check(
+  vtkRidgeCoherence* filter, const Surface& surface, double from, double to, vtkTable* output)
+{
+  auto* mesh = vtkPolyData::SafeDownCast(surface.mesh);
+  auto* lines = vtkPolyData::SafeDownCast(surface.ridges);
+  auto* umbilics = vtkPolyData::SafeDownCast(surface.umbilics);
+  if (!mesh || !lines || (surface.umbilics && !umbilics))
+  {
+    return "mesh, ridges and umbilics are not all of type vtkPolyData";
+  }
+  vtkRidgesPictureInput input;
+  std::string faults = input.Fetch(filter, mesh, lines, umbilics);
+  if (faults.empty() && input.GetMesh().HasDuplicates())
+  {
+    faults = "the mesh has duplicates of cells in other pieces (vtkGhostType); give whole surfaces";
+  }
+  if (!faults.empty())
+  {
+    return faults;
+  }
+  const double fetched = from + 0.2 * (to - from);
+  const auto goesOn = [filter, fetched, to](double done)
+  {
+    filter->UpdateProgress(fetched + (to - fetched) * done);
+    return !vtkRidgesCompatibility::IsAborted(filter);
+  };
+  if (!goesOn(0.0))
+  {
+    return {};
+  }
+  const std::vector<ridges::CoherenceCheck> checks =
+    ridges::CheckCoherence(input.GetPicture(), filter->GetRightAngleCosine(), goesOn);
+  if (!checks.empty())
+  {
+    Store(checks, input.GetPicture(), input.GetMesh(), output);
+  }
+  return {};
+}
+
+/// The same for each block of a composite mesh. Blocks without a fault are checked all the same.
+std::string CheckBlocks(
+  vtkRidgeCoherence* filter, const Surface& surface, vtkCompositeDataSet* output)
+{
+  auto* meshes = vtkCompositeDataSet::SafeDownCast(surface.mesh);
+  auto* lines = vtkCompositeDataSet::SafeDownCast(surface.ridges);
+  auto* umbilics = vtkCompositeDataSet::SafeDownCast(surface.umbilics);
+  if (!lines || (surface.umbilics && !umbilics))
+  {
+    return "the mesh is a composite data set, but the ridges or the umbilics are not";
+  }
+  output->CopyStructure(meshes);
+  std::string faults;
+  const auto block = vtk::TakeSmartPointer(meshes->NewIterator());
+  int count = 0;
+  for (block->InitTraversal(); !block->IsDoneWithTraversal(); block->GoToNextItem())
+  {
+    ++count;
+  }
+  int done = 0;
+  for (block->InitTraversal(); !block->IsDoneWithTraversal(); block->GoToNextItem(), ++done)
+  {
+    vtkNew<vtkTable> table;
+    const Surface ofBlock{ block->GetCurrentDataObject(), lines->GetDataSet(block),
+      umbilics ? umbilics->GetDataSet(block) : nullptr };
+    const std::string faultsOfBlock = Check(filter, ofBlock, static_cast<double>(done) / count,
+      static_cast<double>(done + 1) / count, table);
+    if (faultsOfBlock.empty())
+    {
+      output->SetDataSet(block, table);
+    }
+    else
+    {
+      faults += (faults.empty() ? "block " : "; block ") +
+        std::to_string(block->GetCurrentFlatIndex()) + ": " + faultsOfBlock;
+    }
+    if (vtkRidgesCompatibility::IsAborted(filter))
+    {
+      break;
+    }
+  }
+  return faults;
+}
+
 } // namespace
 
 vtkRidgeCoherence::vtkRidgeCoherence()
@@ -117,12 +217,51 @@ vtkRidgeCoherence::vtkRidgeCoherence()
   vtkRidgesChooseMongeArrays(this);
 }
 
+// VTK would run the filter on the blocks of one input only. That the mesh's port names composite
+// data sets first stops it; the others name first what VTK's message about wrong types should.
 int vtkRidgeCoherence::FillInputPortInformation(int port, vtkInformation* info)
 {
-  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPolyData");
+  info->Set(
+    vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 0 ? "vtkCompositeDataSet" : "vtkPolyData");
+  info->Append(
+    vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 0 ? "vtkPolyData" : "vtkCompositeDataSet");
   if (port == 2)
   {
     info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  }
+  return 1;
+}
+
+int vtkRidgeCoherence::FillOutputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkDataObject::DATA_TYPE_NAME(), "vtkDataObject");
+  return 1;
+}
+
+vtkTypeBool vtkRidgeCoherence::ProcessRequest(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  if (request->Has(vtkDemandDrivenPipeline::REQUEST_DATA_OBJECT()))
+  {
+    return this->RequestDataObject(inputVector[0], outputVector);
+  }
+  return this->Superclass::ProcessRequest(request, inputVector, outputVector);
+}
+
+/// A table, or a composite data set like that of the mesh, for tables.
+int vtkRidgeCoherence::RequestDataObject(
+  vtkInformationVector* meshVector, vtkInformationVector* outputVector)
+{
+  vtkInformation* info = outputVector->GetInformationObject(0);
+  vtkDataObject* old = vtkDataObject::GetData(info);
+  auto* composite = vtkCompositeDataSet::GetData(meshVector, 0);
+  const char* type = composite ? composite->GetClassName() : "vtkTable";
+  if (!old || std::string(old->GetClassName()) != type)
+  {
+    vtkSmartPointer<vtkDataObject> output;
+    output.TakeReference(
+      composite ? composite->NewInstance() : static_cast<vtkDataObject*>(vtkTable::New()));
+    info->Set(vtkDataObject::DATA_OBJECT(), output);
   }
   return 1;
 }
@@ -134,18 +273,24 @@ int vtkRidgeCoherence::RequestData(
   {
     return 0;
   }
-  vtkRidgesPictureInput input;
-  const std::string faults = input.Fetch(this, vtkPolyData::GetData(inputVector[0]),
-    vtkPolyData::GetData(inputVector[1]), vtkPolyData::GetData(inputVector[2]));
+  vtkDataObject* output = vtkDataObject::GetData(outputVector);
+  const Surface surface{ vtkDataObject::GetData(inputVector[0]),
+    vtkDataObject::GetData(inputVector[1]), vtkDataObject::GetData(inputVector[2]) };
+  auto* blocks = vtkCompositeDataSet::SafeDownCast(output);
+  const std::string faults = blocks
+    ? CheckBlocks(this, surface, blocks)
+    : Check(this, surface, 0.0, 1.0, vtkTable::SafeDownCast(output));
   if (!faults.empty())
   {
-    vtkErrorMacro(
-      "Arrays of vtkUmbilicDetection and vtkRidgeExtraction are missing: " << faults << ".");
+    vtkErrorMacro("The inputs are not outputs of vtkUmbilicDetection and vtkRidgeExtraction: "
+      << faults << ".");
+    output->Initialize();
     return 0;
   }
-  this->UpdateProgress(0.2);
-  Store(ridges::CheckCoherence(input.GetPicture(), this->RightAngleCosine), input.GetPicture(),
-    input.GetMesh(), vtkTable::GetData(outputVector));
+  if (vtkRidgesCompatibility::IsAborted(this))
+  {
+    output->Initialize(); // not the tables of some blocks
+  }
   return 1;
 }
 

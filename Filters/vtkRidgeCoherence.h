@@ -13,6 +13,10 @@
  * Input port 2, optional: the umbilics, output 1 of vtkUmbilicDetection. Without it they are read
  * from the field data of the mesh.
  *
+ * Composite inputs must have the same structure; the output is then a composite data set, too, with
+ * a table per block: GetOutputDataObject(0), while GetOutput() is null. The names of the mesh's
+ * arrays can be chosen (SetInputArrayToProcess, see Documentation/Arrays.md).
+ *
  * Output port 0: a table with a row per check and the columns
  *
  * | column             | meaning                                                              |
@@ -83,6 +87,8 @@ public:
   static vtkRidgeCoherence* New();
   vtkTypeMacro(vtkRidgeCoherence, vtkTableAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
+  vtkTypeBool ProcessRequest(
+    vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
   ///@{
   /**
@@ -98,6 +104,7 @@ protected:
   ~vtkRidgeCoherence() override = default;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
+  int FillOutputPortInformation(int port, vtkInformation* info) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
   double RightAngleCosine = 0.001;
@@ -105,6 +112,8 @@ protected:
 private:
   vtkRidgeCoherence(const vtkRidgeCoherence&) = delete;
   void operator=(const vtkRidgeCoherence&) = delete;
+
+  int RequestDataObject(vtkInformationVector* meshVector, vtkInformationVector* outputVector);
 };
 
 #endif

@@ -5,16 +5,20 @@
 #include "FilterTestTools.h"
 #include "MessageRecorder.h"
 
+#include "vtkCellData.h"
 #include "vtkImageData.h"
 #include "vtkJetFitting.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
 #include "vtkPartitionedDataSet.h"
 #include "vtkPrincipalFoliation.h"
+#include "vtkRidgeCoherence.h"
 #include "vtkRidgeExtraction.h"
 #include "vtkRidgeSharpnessFilter.h"
 #include "vtkRidgesAndUmbilics.h"
+#include "vtkTable.h"
 #include "vtkUmbilicDetection.h"
+#include "vtkVariant.h"
 
 #include <gtest/gtest.h>
 
@@ -158,4 +162,66 @@ TEST(Composite, BlocksOfAnotherTypeAreErrorsAndTheOthersAreDone)
   expectError(selection, alone.ridges->GetOutput());
   expectError(foliation, alone.umbilics->GetOutput());
   expectError(all, EllipsoidData(8));
+}
+
+TEST(Composite, CoherenceIsATablePerBlock)
+{
+  const Chain composite(TwoMeshes());
+  vtkNew<vtkRidgeCoherence> coherence;
+  const auto connect = [&coherence](const Chain& chain)
+  {
+    coherence->SetInputConnection(0, chain.umbilics->GetOutputPort(0));
+    coherence->SetInputConnection(1, chain.ridges->GetOutputPort());
+    coherence->SetInputConnection(2, chain.umbilics->GetOutputPort(1));
+    coherence->Update();
+  };
+  const auto rowsOf = [](vtkDataObject* object)
+  {
+    std::string rows;
+    auto* table = vtkTable::SafeDownCast(object);
+    for (vtkIdType i = 0; table && i < table->GetNumberOfRows(); ++i)
+    {
+      for (vtkIdType j = 0; j < table->GetNumberOfColumns(); ++j)
+      {
+        rows += table->GetValue(i, j).ToString() + "|";
+      }
+    }
+    return rows;
+  };
+  // From tables to blocks of them and back again.
+  connect(Chain(EllipsoidData(8)));
+  const std::string ofEllipsoid = rowsOf(coherence->GetOutput());
+  EXPECT_NE(ofEllipsoid, "");
+  connect(composite);
+  auto* blocks = vtkMultiBlockDataSet::SafeDownCast(coherence->GetOutputDataObject(0));
+  ASSERT_NE(blocks, nullptr);
+  ASSERT_EQ(blocks->GetNumberOfBlocks(), 3u);
+  EXPECT_EQ(rowsOf(blocks->GetBlock(0)), ofEllipsoid);
+  EXPECT_EQ(blocks->GetBlock(1), nullptr);
+  auto* nested = vtkMultiBlockDataSet::SafeDownCast(blocks->GetBlock(2));
+  ASSERT_NE(nested, nullptr);
+  const std::string ofBlend = rowsOf(nested->GetBlock(0));
+  connect(Chain(BlendData(12)));
+  EXPECT_EQ(rowsOf(coherence->GetOutput()), ofBlend);
+}
+
+TEST(Composite, CoherenceNamesTheBlockAtFault)
+{
+  const Chain composite(TwoMeshes());
+  vtkNew<vtkRidgeCoherence> coherence;
+  const MessageRecorder recorder(coherence);
+  coherence->SetInputConnection(0, composite.umbilics->GetOutputPort(0));
+  coherence->SetInputData(1, composite.all->GetOutputDataObject(0));
+  BlockOf(composite.all, 0, true)->GetCellData()->RemoveArray("RidgeId");
+  coherence->Update();
+  EXPECT_EQ(recorder.NumberOfErrors(), 1u);
+  EXPECT_NE(recorder.ErrorText().find("block 4: "), std::string::npos) << recorder.ErrorText();
+  EXPECT_NE(recorder.ErrorText().find("RidgeId"), std::string::npos) << recorder.ErrorText();
+
+  coherence->SetInputData(1, EllipsoidData(4));
+  coherence->Update();
+  EXPECT_EQ(recorder.NumberOfErrors(), 2u);
+  EXPECT_NE(recorder.ErrorText().find("the mesh is a composite data set, but the ridges"),
+    std::string::npos)
+    << recorder.ErrorText();
 }

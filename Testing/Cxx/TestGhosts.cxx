@@ -254,6 +254,20 @@ TEST(Ghosts, FoliationLeavesDuplicatesOut)
   }
 }
 
+TEST(Ghosts, CoherenceRefusesDuplicates)
+{
+  const Outputs half = RunFilters(Half(EllipsoidData(8), 1.0));
+  vtkNew<vtkRidgeCoherence> coherence;
+  const MessageRecorder recorder(coherence);
+  coherence->SetInputData(0, half.marked);
+  coherence->SetInputData(1, half.ridges);
+  coherence->Update();
+  EXPECT_EQ(recorder.NumberOfErrors(), 1u);
+  EXPECT_NE(recorder.ErrorText().find("duplicates of cells"), std::string::npos)
+    << recorder.ErrorText();
+  EXPECT_EQ(coherence->GetOutput()->GetNumberOfRows(), 0);
+}
+
 TEST(Ghosts, WrongArrayIsAnError)
 {
   const auto mesh = EllipsoidData(6);

@@ -5,13 +5,17 @@
 
 #include "CoherenceRows.h"
 
+#include "vtkCallbackCommand.h"
 #include "vtkCellData.h"
+#include "vtkCommand.h"
 #include "vtkImageData.h"
 #include "vtkPointData.h"
 #include "vtkStringArray.h"
 
+#include <algorithm>
 #include <sstream>
 #include <string>
+#include <vector>
 
 using namespace ridges::testing;
 namespace names = vtkRidgesArrayNames;
@@ -154,6 +158,54 @@ TEST(RidgeCoherence, WrongInputsAreErrors)
   coherence->Update();
   EXPECT_NE(recorder.ExecutiveErrorText().find("vtkPolyData"), std::string::npos);
   EXPECT_EQ(coherence->GetOutput()->GetNumberOfRows(), 0);
+}
+
+TEST(RidgeCoherence, ReportsProgressAndStopsWhenAborted)
+{
+  struct Watch
+  {
+    std::vector<double> values;
+    double abortAt = 2.0;
+  } watch;
+  const Outputs outputs = RunFilters(EllipsoidData(8));
+  vtkNew<vtkRidgeCoherence> coherence;
+  coherence->SetInputData(0, outputs.marked);
+  coherence->SetInputData(1, outputs.ridges);
+  vtkNew<vtkCallbackCommand> command;
+  command->SetClientData(&watch);
+  command->SetCallback(
+    [](vtkObject* caller, unsigned long, void* data, void*)
+    {
+      auto* seen = static_cast<Watch*>(data);
+      auto* algorithm = static_cast<vtkAlgorithm*>(caller);
+      seen->values.push_back(algorithm->GetProgress());
+      algorithm->SetAbortExecute(algorithm->GetProgress() >= seen->abortAt ? 1 : 0);
+    });
+  coherence->AddObserver(vtkCommand::ProgressEvent, command);
+  coherence->Update();
+  // Once a check, at the least.
+  EXPECT_GE(watch.values.size(), 15u);
+  EXPECT_TRUE(std::is_sorted(watch.values.begin(), watch.values.end()));
+  EXPECT_EQ(coherence->GetOutput()->GetNumberOfRows(), 14);
+
+  for (const double abortAt : { 0.1, 0.3, 0.5, 0.9 })
+  {
+    watch.values.clear();
+    watch.abortAt = abortAt;
+    coherence->Modified();
+    coherence->Update();
+    // The last event is that of the pipeline, after the filter has returned.
+    EXPECT_EQ(std::count_if(watch.values.begin(), watch.values.end(),
+                [abortAt](double value) { return value >= abortAt && value < 1.0; }),
+      1)
+      << abortAt;
+    EXPECT_EQ(coherence->GetOutput()->GetNumberOfRows(), 0) << abortAt;
+  }
+  watch.abortAt = 2.0;
+  coherence->SetAbortExecute(0);
+  coherence->Modified();
+  coherence->Update();
+  EXPECT_EQ(coherence->GetOutput()->GetNumberOfRows(), 14);
 }
 
 TEST(RidgeCoherence, PrintsAndClampsItsProperty)

@@ -7,6 +7,8 @@
 #include "Coherence/RidgeChecks.h"
 #include "Coherence/UmbilicChecks.h"
 
+#include <iterator>
+
 namespace ridges
 {
 
@@ -15,16 +17,38 @@ namespace ridges
 // continuity along it does (definition 5), and that no edge is crossed more than once by the exact
 // ridges (2.2d and hypothesis 3), to be found by subdivision.
 
-std::vector<CoherenceCheck> CheckCoherence(const RidgePicture& picture, double leastCosine)
+std::vector<CoherenceCheck> CheckCoherence(
+  const RidgePicture& picture, double leastCosine, const std::function<bool(double done)>& goesOn)
 {
-  const std::vector<WholeRidge> ridges = FindWholeRidges(picture);
-  return { CheckIndexSum(picture), CheckUmbilicsPerTriangle(picture),
-    CheckRidgesAtUmbilics(picture, ridges), CheckTypesAtUmbilics(picture, ridges),
-    CheckRidgeEnds(picture, ridges), CheckTurningPoints(picture, ridges),
-    CheckNoIntersections(picture, ridges), CheckPatches(picture),
-    CheckRidgesInPatches(picture, ridges), CheckPatchContours(picture, ridges),
-    CheckRightAngles(picture, leastCosine), CheckSingleCrossings(picture, ridges),
-    CheckPointsOnEdges(picture, ridges), CheckCrossings(picture, ridges) };
+  std::vector<WholeRidge> ridges;
+  const std::function<CoherenceCheck()> checks[] = {
+    [&picture] { return CheckIndexSum(picture); },
+    [&picture] { return CheckUmbilicsPerTriangle(picture); },
+    [&picture, &ridges] { return CheckRidgesAtUmbilics(picture, ridges); },
+    [&picture, &ridges] { return CheckTypesAtUmbilics(picture, ridges); },
+    [&picture, &ridges] { return CheckRidgeEnds(picture, ridges); },
+    [&picture, &ridges] { return CheckTurningPoints(picture, ridges); },
+    [&picture, &ridges] { return CheckNoIntersections(picture, ridges); },
+    [&picture] { return CheckPatches(picture); },
+    [&picture, &ridges] { return CheckRidgesInPatches(picture, ridges); },
+    [&picture, &ridges] { return CheckPatchContours(picture, ridges); },
+    [&picture, leastCosine] { return CheckRightAngles(picture, leastCosine); },
+    [&picture, &ridges] { return CheckSingleCrossings(picture, ridges); },
+    [&picture, &ridges] { return CheckPointsOnEdges(picture, ridges); },
+    [&picture, &ridges] { return CheckCrossings(picture, ridges); },
+  };
+  const double steps = 1.0 + static_cast<double>(std::size(checks));
+  ridges = FindWholeRidges(picture);
+  std::vector<CoherenceCheck> results;
+  for (const std::function<CoherenceCheck()>& check : checks)
+  {
+    if (goesOn && !goesOn((1.0 + static_cast<double>(results.size())) / steps))
+    {
+      return {};
+    }
+    results.push_back(check());
+  }
+  return results;
 }
 
 } // namespace ridges

@@ -6,11 +6,15 @@
 #include "Coherence/CoherenceCheck.h"
 #include "Coherence/RidgePicture.h"
 
+#include <functional>
+
 namespace ridges
 {
 
-/// All checks of coherence, in the order in which a reader wants them.
-std::vector<CoherenceCheck> CheckCoherence(const RidgePicture& picture, double leastCosine);
+/// All checks of coherence, in the order in which a reader wants them. Before each, `goesOn`, if
+/// given, is called with the fraction that is done; if it returns false there are no results.
+std::vector<CoherenceCheck> CheckCoherence(const RidgePicture& picture, double leastCosine,
+  const std::function<bool(double done)>& goesOn = {});
 
 } // namespace ridges
 

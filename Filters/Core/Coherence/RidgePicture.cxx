@@ -27,56 +27,65 @@ Id FindEdge(const TriangleMesh& mesh, Id p, Id q)
   return PicturePoint::NoEdge;
 }
 
-std::vector<Id> TrianglesAt(const TriangleMesh& mesh, Id edge)
+namespace
+{
+
+/// Calls visit(triangle) for those at an edge.
+template <typename Visit>
+void ForTrianglesAt(const TriangleMesh& mesh, Id edge, Visit visit)
 {
   const Edge& ends = mesh.EdgeAt(edge);
-  if (ends.t1 >= 0)
+  if (ends.t1 >= 0 || ends.t1 == TriangleMesh::Border)
   {
-    return { ends.t0, ends.t1 };
+    visit(ends.t0);
+    if (ends.t1 >= 0)
+    {
+      visit(ends.t1);
+    }
+    return;
   }
-  if (ends.t1 == TriangleMesh::Border)
-  {
-    return { ends.t0 };
-  }
-  std::vector<Id> triangles;
   for (const Id t : mesh.TrianglesAround(ends.v0))
   {
     if (mesh.EdgeOf(t, 0) == edge || mesh.EdgeOf(t, 1) == edge || mesh.EdgeOf(t, 2) == edge)
     {
-      triangles.push_back(t);
+      visit(t);
     }
   }
+}
+
+} // namespace
+
+std::vector<Id> TrianglesAt(const TriangleMesh& mesh, Id edge)
+{
+  std::vector<Id> triangles;
+  ForTrianglesAt(mesh, edge, [&triangles](Id t) { triangles.push_back(t); });
   return triangles;
 }
 
 int RidgePicture::UsableSides(Id edge) const
 {
   int count = 0;
-  for (const Id t : TrianglesAt(*this->mesh, edge))
-  {
-    count += this->isUsable[t];
-  }
+  ForTrianglesAt(*this->mesh, edge, [this, &count](Id t) { count += this->isUsable[t]; });
   return count;
 }
 
 bool RidgePicture::IsOutside(Id edge) const
 {
-  const int sides = this->UsableSides(edge);
-  if (sides != 2)
-  {
-    return sides > 0;
-  }
+  int sides = 0;
+  bool isOutside = false;
   std::int64_t first = -1;
-  for (const Id t : TrianglesAt(*this->mesh, edge))
-  {
-    const std::int64_t region = this->RegionOf(t);
-    if (this->isUsable[t] && (region < 0 || (first >= 0 && region != first)))
+  ForTrianglesAt(*this->mesh, edge,
+    [this, &sides, &isOutside, &first](Id t)
     {
-      return true;
-    }
-    first = this->isUsable[t] ? region : first;
-  }
-  return false;
+      if (this->isUsable[t])
+      {
+        const std::int64_t region = this->RegionOf(t);
+        isOutside = isOutside || region < 0 || (sides > 0 && region != first);
+        first = region;
+        ++sides;
+      }
+    });
+  return sides == 2 ? isOutside : sides > 0;
 }
 
 const PictureUmbilic* RidgePicture::UmbilicOf(Id id) const
