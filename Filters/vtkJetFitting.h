@@ -60,7 +60,9 @@
 
 #include "vtkFiltersRidgesModule.h" // For export macro
 #include "vtkPolyDataAlgorithm.h"
+#include "vtkRidgesCompatibility.h" // For the ABI namespace
 
+VTK_ABI_NAMESPACE_BEGIN
 class VTKFILTERSRIDGES_EXPORT vtkJetFitting : public vtkPolyDataAlgorithm
 {
 public:
@@ -198,5 +200,6 @@ private:
   vtkJetFitting(const vtkJetFitting&) = delete;
   void operator=(const vtkJetFitting&) = delete;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

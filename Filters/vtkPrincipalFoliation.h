@@ -61,7 +61,9 @@
 
 #include "vtkFiltersRidgesModule.h" // For export macro
 #include "vtkPolyDataAlgorithm.h"
+#include "vtkRidgesCompatibility.h" // For the ABI namespace
 
+VTK_ABI_NAMESPACE_BEGIN
 class VTKFILTERSRIDGES_EXPORT vtkPrincipalFoliation : public vtkPolyDataAlgorithm
 {
 public:
@@ -175,5 +177,6 @@ private:
   vtkPrincipalFoliation(const vtkPrincipalFoliation&) = delete;
   void operator=(const vtkPrincipalFoliation&) = delete;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

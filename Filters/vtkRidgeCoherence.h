@@ -79,8 +79,10 @@
 #define vtkRidgeCoherence_h
 
 #include "vtkFiltersRidgesModule.h" // For export macro
+#include "vtkRidgesCompatibility.h" // For the ABI namespace
 #include "vtkTableAlgorithm.h"
 
+VTK_ABI_NAMESPACE_BEGIN
 class VTKFILTERSRIDGES_EXPORT vtkRidgeCoherence : public vtkTableAlgorithm
 {
 public:
@@ -115,5 +117,6 @@ private:
 
   int RequestDataObject(vtkInformationVector* meshVector, vtkInformationVector* outputVector);
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

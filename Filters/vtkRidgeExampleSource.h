@@ -26,7 +26,9 @@
 
 #include "vtkFiltersRidgesModule.h" // For export macro
 #include "vtkPolyDataAlgorithm.h"
+#include "vtkRidgesCompatibility.h" // For the ABI namespace
 
+VTK_ABI_NAMESPACE_BEGIN
 class VTKFILTERSRIDGES_EXPORT vtkRidgeExampleSource : public vtkPolyDataAlgorithm
 {
 public:
@@ -82,5 +84,6 @@ private:
   vtkRidgeExampleSource(const vtkRidgeExampleSource&) = delete;
   void operator=(const vtkRidgeExampleSource&) = delete;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

@@ -43,7 +43,9 @@
 
 #include "vtkFiltersRidgesModule.h" // For export macro
 #include "vtkPolyDataAlgorithm.h"
+#include "vtkRidgesCompatibility.h" // For the ABI namespace
 
+VTK_ABI_NAMESPACE_BEGIN
 class VTKFILTERSRIDGES_EXPORT vtkRidgeExtraction : public vtkPolyDataAlgorithm
 {
 public:
@@ -201,5 +203,6 @@ private:
   vtkRidgeExtraction(const vtkRidgeExtraction&) = delete;
   void operator=(const vtkRidgeExtraction&) = delete;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

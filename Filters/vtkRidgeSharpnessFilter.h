@@ -22,7 +22,9 @@
 
 #include "vtkFiltersRidgesModule.h" // For export macro
 #include "vtkPolyDataAlgorithm.h"
+#include "vtkRidgesCompatibility.h" // For the ABI namespace
 
+VTK_ABI_NAMESPACE_BEGIN
 class VTKFILTERSRIDGES_EXPORT vtkRidgeSharpnessFilter : public vtkPolyDataAlgorithm
 {
 public:
@@ -111,5 +113,6 @@ private:
 
   bool KeepsType(int type) const;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

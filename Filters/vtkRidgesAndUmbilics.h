@@ -28,14 +28,16 @@
 #include "vtkFiltersRidgesModule.h" // For export macro
 #include "vtkJetFitting.h"          // For its enums
 #include "vtkPolyDataAlgorithm.h"
-#include "vtkRidgeExtraction.h"  // For its enums
-#include "vtkUmbilicDetection.h" // For its enums
+#include "vtkRidgeExtraction.h"     // For its enums
+#include "vtkRidgesCompatibility.h" // For the ABI namespace
+#include "vtkUmbilicDetection.h"    // For its enums
 
 /// A property of a stage, under the same name.
 #define vtkRidgesStagePropertyMacro(name, type)                                                    \
   void Set##name(type value);                                                                      \
   type Get##name()
 
+VTK_ABI_NAMESPACE_BEGIN
 class VTKFILTERSRIDGES_EXPORT vtkRidgesAndUmbilics : public vtkPolyDataAlgorithm
 {
 public:
@@ -140,6 +142,7 @@ private:
   class vtkInternals;
   vtkInternals* const Internals;
 };
+VTK_ABI_NAMESPACE_END
 
 #undef vtkRidgesStagePropertyMacro
 

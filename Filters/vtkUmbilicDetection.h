@@ -78,7 +78,9 @@
 
 #include "vtkFiltersRidgesModule.h" // For export macro
 #include "vtkPolyDataAlgorithm.h"
+#include "vtkRidgesCompatibility.h" // For the ABI namespace
 
+VTK_ABI_NAMESPACE_BEGIN
 class VTKFILTERSRIDGES_EXPORT vtkUmbilicDetection : public vtkPolyDataAlgorithm
 {
 public:
@@ -142,5 +144,6 @@ private:
   vtkUmbilicDetection(const vtkUmbilicDetection&) = delete;
   void operator=(const vtkUmbilicDetection&) = delete;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

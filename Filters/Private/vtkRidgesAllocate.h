@@ -3,11 +3,15 @@
 #ifndef vtkRidgesAllocate_h
 #define vtkRidgesAllocate_h
 
+#include "vtkRidgesCompatibility.h"
+
 #include "vtkType.h"
 
 #include <vector>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkDataArray;
+VTK_ABI_NAMESPACE_END
 
 /**
  * Gives arrays of numbers, whose components are set, memory for so many tuples, in large pages

@@ -13,12 +13,11 @@
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkInformationVector;
-class vtkPolyData;
-VTK_ABI_NAMESPACE_END
-
 class vtkJetFitting;
+class vtkPolyData;
 class vtkRidgeExtraction;
 class vtkUmbilicDetection;
+VTK_ABI_NAMESPACE_END
 
 /**
  * The vtkGhostType arrays of a data set: which cells and points are hidden, and which cells are

@@ -4,11 +4,15 @@
 #define vtkRidgesIndexSearch_h
 
 #include "Core/Umbilics/IndexCharge.h"
+#include "vtkRidgesCompatibility.h"
 
 #include <cstdint>
 #include <vector>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkAlgorithm;
+VTK_ABI_NAMESPACE_END
+
 class vtkRidgesMongeInput;
 class vtkRidgesUmbilicOutput;
 

@@ -7,6 +7,7 @@
 #include "Core/Fit/JetErrors.h"
 #include "Core/Mesh/TriangleMesh.h"
 #include "Core/Monge/MongeForm.h"
+#include "vtkRidgesCompatibility.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkIntArray.h"
@@ -15,7 +16,9 @@
 
 #include <vector>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkPointData;
+VTK_ABI_NAMESPACE_END
 
 /**
  * The arrays that come out of vtkJetFitting, one tuple per point, each point to be stored once;

@@ -4,6 +4,7 @@
 #define vtkRidgesPictureInput_h
 
 #include "Core/Coherence/RidgePicture.h"
+#include "vtkRidgesCompatibility.h"
 #include "vtkRidgesMesh.h"
 #include "vtkRidgesMongeArrays.h"
 

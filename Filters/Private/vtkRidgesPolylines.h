@@ -5,6 +5,7 @@
 
 #include "Core/Ridges/RidgeMeasures.h"
 #include "Core/Ridges/RidgeTrace.h"
+#include "vtkRidgesCompatibility.h"
 
 #include "vtkCellArray.h"
 #include "vtkDoubleArray.h"
@@ -16,7 +17,10 @@
 #include <unordered_map>
 #include <vector>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkPolyData;
+VTK_ABI_NAMESPACE_END
+
 class vtkRidgesMesh;
 class vtkRidgesUmbilicMarks;
 

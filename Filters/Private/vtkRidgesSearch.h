@@ -5,11 +5,15 @@
 
 #include "Core/Fit/FitErrors.h"
 #include "Core/Ridges/RidgeTrace.h"
+#include "vtkRidgesCompatibility.h"
 
 #include <cstdint>
 #include <vector>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkAlgorithm;
+VTK_ABI_NAMESPACE_END
+
 class vtkRidgesMesh;
 class vtkRidgesMongeInput;
 class vtkRidgesUmbilicMarks;

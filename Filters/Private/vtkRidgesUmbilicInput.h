@@ -3,6 +3,8 @@
 #ifndef vtkRidgesUmbilicInput_h
 #define vtkRidgesUmbilicInput_h
 
+#include "vtkRidgesCompatibility.h"
+
 #include "vtkType.h"
 
 #include <Eigen/Core>
@@ -10,8 +12,10 @@
 #include <string>
 #include <vector>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkDataArray;
 class vtkPolyData;
+VTK_ABI_NAMESPACE_END
 
 /**
  * Reads the arrays of umbilics and their patches that vtkUmbilicDetection writes, on a mesh or on

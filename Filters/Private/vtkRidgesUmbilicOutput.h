@@ -5,10 +5,14 @@
 
 #include "Core/Mesh/TriangleGroups.h"
 #include "Core/Umbilics/Umbilic.h"
+#include "vtkRidgesCompatibility.h"
 
 #include <vector>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkPolyData;
+VTK_ABI_NAMESPACE_END
+
 class vtkRidgesMesh;
 
 /**
