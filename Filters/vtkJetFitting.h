@@ -4,9 +4,8 @@
  * @class   vtkJetFitting
  * @brief   estimate curvatures and their derivatives at the points of a triangle mesh
  *
- * Fits a polynomial height function around each point and outputs its Monge form: the principal
- * curvatures k1 >= k2 with their directions, and the third- and fourth-order coefficients that
- * define ridges (RR-5294, section 3, equations 1 and 2):
+ * Fits a polynomial height function around each point and outputs its Monge form (RR-5294,
+ * equations 1 and 2), with principal curvatures k1 >= k2 and all coefficients that define ridges:
  *
  *   z = 1/2 (k1 x^2 + k2 y^2) + 1/6 (b0 x^3 + 3 b1 x^2 y + 3 b2 x y^2 + b3 y^3)
  *     + 1/24 (c0 x^4 + 4 c1 x^3 y + 6 c2 x^2 y^2 + 4 c3 x y^3 + c4 y^4)
@@ -32,9 +31,9 @@
  * | FitScale           | 1     | radius of the neighbourhood that was fitted      | L     |
  * | FitNoiseGain       | 1     | error of ThirdOrder, per FitResidual / FitScale^2|       |
  *
- * and, if StandardErrors is on, the standard errors MaximumCurvatureError, MinimumCurvatureError,
- * ThirdOrderError (of b0 to b3), P1Error and P2Error, in the units of these values.
- * If Neighborhood is AUTOMATIC, the field array SelectedNumberOfRings has the number chosen.
+ * and, if StandardErrors is on, the errors MaximumCurvatureError, MinimumCurvatureError,
+ * ThirdOrderError (of b0 to b3), P1Error and P2Error, in the units of these values. If Neighborhood
+ * is AUTOMATIC, the field array SelectedNumberOfRings has the number chosen.
  *
  * Curvature is positive where the surface bends towards its normal: a sphere of radius r with
  * outward normals has k1 = k2 = -1/r. vtkCurvatures has the opposite sign.
@@ -44,11 +43,10 @@
  * ill-conditioned ones are fitted singly by an orthogonal decomposition. On a smooth surface
  * sampled at distance h the errors of k, b and c are of order Degree - 1, Degree - 2 and Degree - 3
  * in h, one order better on regular samplings. Guarantees: the same bytes for any number of
- * threads, any SMP back end and any numbering of points and cells; between machines with and
- * without fused multiply-add k, b and P differ by round-off (1e-12, 1e-10 and 1e-10 relative, on
- * clean meshes). No value is NaN: where nothing can be fitted all values are 0 and FitStatus is
- * FIT_INVALID. Polygons and strips are triangulated. For composite data and ghost cells see
- * Documentation/Arrays.md.
+ * threads, any SMP back end and any numbering of points and cells; with and without fused
+ * multiply-add k, b and P differ by round-off (1e-12, 1e-10 and 1e-10 relative, on clean meshes).
+ * No value is NaN: where nothing can be fitted all are 0 and FitStatus is FIT_INVALID. Polygons
+ * and strips are triangulated. For composite data and ghosts see Documentation/Arrays.md.
  *
  * @warning The triangles must be consistently oriented: flipping the orientation changes the
  * sign of the curvatures and swaps maximum and minimum (k1' = -k2, k2' = -k1).
@@ -97,8 +95,7 @@ public:
 
   ///@{
   /**
-   * Degree of the polynomial, 1 to 4. Default 4: ridges need b, their types need c, and errors
-   * cancel best with an even degree.
+   * Degree of the polynomial, 1 to 4. Default 4: types of ridges need c; even degrees err less.
    */
   vtkSetClampMacro(Degree, int, 1, 4);
   vtkGetMacro(Degree, int);
@@ -118,9 +115,8 @@ public:
    * How a neighbourhood is chosen. BY_POINT_COUNT: whole rings until there are
    * MinimumNumberOfPoints points and the fit is well conditioned. BY_RINGS: exactly NumberOfRings
    * rings. BY_RADIUS: what is connected inside the ball of a Radius. AUTOMATIC: the number of
-   * rings, 2 to 8, with the smallest estimated error of the curvatures on this mesh, for noise that
-   * is independent from point to point. Default BY_POINT_COUNT: it follows the density of the mesh
-   * and is right at borders.
+   * rings, 2 to 8, with the smallest estimated error of the curvatures, for noise independent from
+   * point to point. Default BY_POINT_COUNT: it follows the mesh's density and is right at borders.
    */
   vtkSetClampMacro(Neighborhood, int, BY_POINT_COUNT, AUTOMATIC);
   vtkGetMacro(Neighborhood, int);
@@ -133,9 +129,9 @@ public:
 
   ///@{
   /**
-   * Minimum number of points in a neighbourhood, including the point itself, 3 or more; raised to
-   * the number of coefficients (15 for degree 4). Default 18: two rings of a regular mesh have 19,
-   * while 15 would let the polynomial interpolate. Use more on noisy data.
+   * Minimum number of points in a neighbourhood, with the point itself, 3 or more; raised to the
+   * number of coefficients (15 for degree 4). Default 18: two rings of a regular mesh have 19, and
+   * 15 would let the polynomial interpolate. Use more on noisy data.
    */
   vtkSetClampMacro(MinimumNumberOfPoints, int, 3, VTK_INT_MAX);
   vtkGetMacro(MinimumNumberOfPoints, int);
@@ -174,8 +170,8 @@ public:
   ///@{
   /**
    * Whether to output the standard errors caused by noise that is independent from point to point,
-   * estimated from the residuals of each fit. -1 means unknown: no fit, too few points or too low a
-   * degree. Default off: fitting all points again, one by one, takes 25 times as long.
+   * estimated from the residuals of each fit; -1 if unknown: no fit, too few points, low degree.
+   * Default off: fitting all points again, one by one, takes 25 times as long.
    */
   vtkSetMacro(StandardErrors, bool);
   vtkGetMacro(StandardErrors, bool);

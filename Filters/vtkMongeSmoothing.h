@@ -48,7 +48,9 @@
 
 #include "vtkFiltersRidgesModule.h" // For export macro
 #include "vtkPolyDataAlgorithm.h"
+#include "vtkRidgesCompatibility.h" // For the ABI namespace
 
+VTK_ABI_NAMESPACE_BEGIN
 class VTKFILTERSRIDGES_EXPORT vtkMongeSmoothing : public vtkPolyDataAlgorithm
 {
 public:
@@ -109,5 +111,6 @@ private:
   vtkMongeSmoothing(const vtkMongeSmoothing&) = delete;
   void operator=(const vtkMongeSmoothing&) = delete;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

@@ -14,11 +14,10 @@
  *
  * Input: a mesh with the point arrays MaximumCurvature, MinimumCurvature, MaximumDirection,
  * MinimumDirection and ThirdOrder of vtkJetFitting, and, needed by the fourth-order type rule only,
- * FourthOrder or else P1 and P2; with FourthOrder types are more reliable near umbilics. FitStatus,
- * if present, marks invalid points, whose triangles are left out. The umbilics that
- * vtkUmbilicDetection marks on the mesh are used if present.
- * Arrays of other names can be chosen (SetInputArrayToProcess). For these, composite data and ghost
- * cells see Documentation/Arrays.md.
+ * FourthOrder or else P1 and P2; with FourthOrder types are more reliable near umbilics. If
+ * present, FitStatus marks invalid points, whose triangles are left out, and the umbilics that
+ * vtkUmbilicDetection has marked are used. Arrays of other names can be chosen
+ * (SetInputArrayToProcess). For these, composite data and ghosts see Documentation/Arrays.md.
  *
  * Output port 0: a polyline per run of one type of a ridge. Consecutive polylines of one ridge
  * share their end point and RidgeId. Arrays: on cells RidgeType (see RidgeTypes), Crest, Closed,
@@ -27,15 +26,13 @@
  * Sharpness and SecondDerivative.
  *
  * Output port 1, if FindPurplePoints is on: a vertex per purple point, with the point arrays
- * MaximumRidgeId and MinimumRidgeId, the RidgeId of the two ridges that cross there, and Triangle,
- * the cell of the mesh.
+ * MaximumRidgeId and MinimumRidgeId of the ridges that cross there, and Triangle, the mesh's cell.
  *
  * Guarantees, on any mesh and with any values: ridges of one colour end only at umbilics and other
  * singular triangles, on borders, at non-manifold edges and at triangles left out. Order, starts
  * and directions of the ridges depend on positions only, not on the numbering.
  *
- * @sa
- * vtkJetFitting vtkUmbilicDetection vtkRidgeSharpnessFilter
+ * @sa vtkJetFitting vtkUmbilicDetection vtkRidgeSharpnessFilter
  */
 
 #ifndef vtkRidgeExtraction_h
@@ -88,10 +85,10 @@ public:
   ///@{
   /**
    * ExtractMaximum, ExtractMinimum: whether to extract ridges of the maximum curvature (blue and
-   * green) and of the minimum curvature (red and yellow). Default on. CrestOnly: whether to extract
-   * crest lines only, the visually salient part of the elliptic ridges. Default off: the complete
-   * picture has all ridges. FindPurplePoints: whether to output the points where a blue ridge
-   * crosses a red one on port 1. Default off: few users need them.
+   * green) and of the minimum curvature (red and yellow). Default on. CrestOnly: only crest lines,
+   * the visually salient part of the elliptic ridges. Default off: the complete picture has all.
+   * FindPurplePoints: whether port 1 has the points where a blue ridge crosses a red one. Default
+   * off: few users need them.
    */
   vtkSetMacro(ExtractMaximum, bool);
   vtkGetMacro(ExtractMaximum, bool);
@@ -111,8 +108,7 @@ public:
   /**
    * How a ridge is classified as elliptic or hyperbolic: by the sign of P (FOURTH_ORDER, equation
    * 3) or by whether the curvature rises towards it (THIRD_ORDER, section 5.3). Default
-   * FOURTH_ORDER: it is consistent along a ridge; the other fails where an edge is almost parallel
-   * to the ridge.
+   * FOURTH_ORDER: the other fails where an edge is almost parallel to the ridge.
    */
   vtkSetClampMacro(TypeRule, int, FOURTH_ORDER, THIRD_ORDER);
   vtkGetMacro(TypeRule, int);
@@ -127,8 +123,7 @@ public:
    * whose curves change colour and ignore umbilics, ExtractMaximum and ExtractMinimum. Default
    * PRINCIPAL: it keeps ridges connected. CrossingRule places a crossing on its edge: at the zero
    * of b0 or b3 of the Monge form interpolated along the edge (FORM), or by equation (4) from the
-   * values at its ends (LINEAR). Default FORM: lines by equation (4) zigzag by a third of an edge
-   * near umbilics.
+   * values at its ends (LINEAR). Default FORM: LINEAR zigzags by a third of an edge near umbilics.
    */
   vtkSetClampMacro(ExtremalityRule, int, PRINCIPAL, GAUSSIAN);
   vtkGetMacro(ExtremalityRule, int);
@@ -143,8 +138,7 @@ public:
   ///@{
   /**
    * How ridges are joined to umbilics: in the patches of vtkUmbilicDetection (section 6.3), or in
-   * all singular triangles, regardless of patches (section 6.2). Default PATCHES: single triangles
-   * are unreliable next to umbilics.
+   * all singular triangles (section 6.2). Default PATCHES: triangles near umbilics are unreliable.
    */
   vtkSetClampMacro(UmbilicJoining, int, PATCHES, TRIANGLES);
   vtkGetMacro(UmbilicJoining, int);
@@ -157,8 +151,7 @@ public:
    * What noise may have caused. LoopSignificance: loops around at most 64 points, at all of which
    * b0 (b3) is within this many standard errors of 0, are left out; 0 to 100, default 3, which is
    * rarely exceeded by chance; 0 keeps all. TypeHysteresis: runs of one type shorter than this many
-   * mean edges, between two runs of another, are reclassified as that type; 0 to 1000, default 0,
-   * none, because short runs may be true.
+   * mean edges become the type on both sides; 0 to 1000, default 0, as short runs may be true.
    */
   vtkSetClampMacro(LoopSignificance, double, 0.0, 100.0);
   vtkGetMacro(LoopSignificance, double);
@@ -170,8 +163,8 @@ public:
   /**
    * ModelSize is the length that makes sharpness dimensionless, 0 or more; default 0: the radius of
    * the smallest enclosing sphere of the mesh. Within UmbilicCutOff model sizes of an umbilic, 0 to
-   * 1, hyperbolic ridges do not contribute to their sharpness, which would be infinite; default
-   * 0.01: with 0 the sharpness depends on the mesh.
+   * 1, hyperbolic ridges add nothing to their sharpness, which would be infinite; default 0.01:
+   * with 0 the sharpness depends on the mesh.
    */
   vtkSetClampMacro(ModelSize, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(ModelSize, double);
@@ -182,10 +175,8 @@ public:
 protected:
   vtkRidgeExtraction();
   ~vtkRidgeExtraction() override = default;
-
   int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
-
   bool ExtractMaximum = true;
   bool ExtractMinimum = true;
   bool CrestOnly = false;

@@ -48,9 +48,11 @@
 
 #include "vtkFiltersRidgesModule.h" // For export macro
 #include "vtkPolyDataAlgorithm.h"
+#include "vtkRidgesCompatibility.h" // For the ABI namespace
 
 #include <memory> // For the internals
 
+VTK_ABI_NAMESPACE_BEGIN
 class VTKFILTERSRIDGES_EXPORT vtkSalientRidges : public vtkPolyDataAlgorithm
 {
 public:
@@ -150,5 +152,6 @@ private:
   class vtkInternals;
   std::unique_ptr<vtkInternals> Internals;
 };
+VTK_ABI_NAMESPACE_END
 
 #endif

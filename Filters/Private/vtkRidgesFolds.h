@@ -4,10 +4,13 @@
 #define vtkRidgesFolds_h
 
 #include "Core/Salience/SalientSelection.h"
+#include "vtkRidgesCompatibility.h"
 
 #include <vector>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkAlgorithm;
+VTK_ABI_NAMESPACE_END
 
 /**
  * Measures the folds at the vertices of ridges, in parallel, private to the module. False if the

@@ -4,10 +4,13 @@
 #define vtkRidgesSalientLines_h
 
 #include "Core/Salience/SalientSelection.h"
+#include "vtkRidgesCompatibility.h"
 
 #include <vector>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkPolyData;
+VTK_ABI_NAMESPACE_END
 
 /**
  * Collects the salient lines of both colours and stores them as the polylines and arrays of

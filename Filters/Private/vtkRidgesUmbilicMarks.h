@@ -4,6 +4,7 @@
 #define vtkRidgesUmbilicMarks_h
 
 #include "Core/Ridges/Patch/PatchRidges.h"
+#include "vtkRidgesCompatibility.h"
 #include "vtkRidgesUmbilicInput.h"
 
 #include "vtkType.h"
@@ -11,7 +12,10 @@
 #include <unordered_map>
 #include <vector>
 
+VTK_ABI_NAMESPACE_BEGIN
 class vtkPolyData;
+VTK_ABI_NAMESPACE_END
+
 class vtkRidgesMesh;
 
 /**
