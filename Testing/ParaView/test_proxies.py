@@ -111,6 +111,29 @@ class TestProxies(unittest.TestCase):
         for array, wanted in (("MaximumRidgeId", {1, 2}), ("MinimumRidgeId", {3, 4})):
             self.assertLessEqual({types[i] for i in arrays(purple)["point " + array]}, wanted)
 
+    def test_arrays_of_other_names_can_be_chosen(self):
+        jets, umbilics, ridges, _ = chain(example(32))
+        lines = simple.PrincipalFoliation(Input=umbilics)
+        self.assertEqual(umbilics.MaximumCurvatureArray, ["POINTS", "MaximumCurvature"])
+        expected = [arrays(fetch(stage)) for stage in (ridges, lines)]
+        rename = """
+for name in {names}:
+    output.PointData.GetArray(name).SetName("my" + name)
+"""
+        names = ["MaximumCurvature", "MinimumCurvature", "MaximumDirection", "MinimumDirection"]
+        names += ["ThirdOrder", "FourthOrder", "FitStatus"]
+        script = "output.DeepCopy(inputs[0].VTKObject)" + rename.format(names=names)
+        renamed = simple.ProgrammableFilter(Input=jets, Script=script, CopyArrays=0)
+        umbilics.Input = renamed
+        for stage in (umbilics, ridges, lines):
+            for name in names:
+                setattr(stage, name + "Array", "my" + name)
+        for stage, before in zip((ridges, lines), expected):
+            found = arrays(fetch(stage))
+            self.assertEqual(list(found), list(before))
+            for name, values in before.items():
+                np.testing.assert_array_equal(found[name], values, err_msg=name)
+
     def test_curvature_lines(self):
         _, umbilics, _, _ = chain(example(32))
         lines = simple.PrincipalFoliation(Input=umbilics, Direction="Both")

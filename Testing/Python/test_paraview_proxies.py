@@ -9,6 +9,7 @@ from pathlib import Path
 from xml.etree import ElementTree
 
 import vtkridges
+from vtkmodules.vtkCommonDataModel import vtkDataObject
 
 FOLDER = Path(__file__).resolve().parents[2] / "Wrapping" / "ParaView"
 
@@ -24,13 +25,21 @@ NOT_FORWARDED = {
 }
 
 
-def proxies():
-    """Name of the class -> its element, of all files."""
-    found = {}
+def elements():
+    """The proxies of all files."""
     for path in sorted(FOLDER.glob("*.xml")):
-        for proxy in ElementTree.parse(path).iter("SourceProxy"):
-            found[proxy.get("class")] = proxy
-    return found
+        yield from ElementTree.parse(path).iter("SourceProxy")
+
+
+def proxies():
+    """Name of the class -> its element; without what proxies have in common, which has no class."""
+    return {proxy.get("class"): proxy for proxy in elements() if proxy.get("class")}
+
+
+def array_choices():
+    """The elements by which the arrays of vtkJetFitting are chosen."""
+    (base,) = (proxy for proxy in elements() if proxy.get("name") == "MongeArrays")
+    return properties(base)
 
 
 def properties(proxy):
@@ -100,6 +109,25 @@ class TestParaViewProxies(unittest.TestCase):
             )
 
         self.assertGreater(self.for_each_property(check), 40)
+
+    def test_arrays_can_be_chosen_where_the_class_allows_it(self):
+        name_of = vtkDataObject.FIELD_NAME()
+        for name, proxy in proxies().items():
+            instance = getattr(vtkridges, name)()
+            chosen = instance.GetInputArrayInformation(0).Get(name_of)
+            with self.subTest(name):
+                self.assertEqual(proxy.get("base_proxyname") == "MongeArrays", chosen is not None)
+            if chosen is None:
+                continue
+            for element in array_choices():
+                with self.subTest(f"{name}: {element.get('name')}"):
+                    index, *place, default = element.get("default_values").split(";")
+                    self.assertEqual(place, ["0", "0", str(vtkDataObject.POINT)])
+                    information = instance.GetInputArrayInformation(int(index))
+                    self.assertEqual(default, information.Get(name_of))
+                    self.assertEqual(element.get("name"), default + "Array")
+                    self.assertEqual(element.find("ArrayListDomain").get("none_string"), default)
+                    self.assertGreater(len(element.find("Documentation").text.strip()), 10)
 
     def test_ranges_are_those_of_the_class(self):
         checked = []
