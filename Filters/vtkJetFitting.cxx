@@ -12,6 +12,7 @@
 #include "vtkRidgesGhosts.h"
 #include "vtkRidgesMesh.h"
 #include "vtkRidgesMongeOutput.h"
+#include "vtkRidgesPerThread.h"
 #include "vtkRidgesRequest.h"
 #include "vtkRidgesUmbilicMarks.h"
 
@@ -22,7 +23,6 @@
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
-#include "vtkSMPThreadLocal.h"
 
 #include <algorithm>
 #include <cmath>
@@ -61,6 +61,26 @@ void StoreSelectedRings(vtkPolyData* mesh, int rings)
   mesh->SetFieldData(field);
 }
 
+/// The properties, as far as they are about a single fit.
+vtkRidgesFitPoints::Settings SettingsOf(vtkJetFitting* filter)
+{
+  using Kind = ridges::NeighborhoodRule::Kind;
+  constexpr Kind kinds[] = { Kind::PointCount, Kind::Rings, Kind::Radius,
+    Kind::RingsAndPointCount };
+  vtkRidgesFitPoints::Settings settings;
+  settings.degree = filter->GetDegree();
+  settings.weighting = filter->GetWeighting() == vtkJetFitting::GAUSSIAN
+    ? ridges::Weighting::Gaussian
+    : ridges::Weighting::Uniform;
+  settings.standardErrors = filter->GetStandardErrors();
+  settings.rule.kind = kinds[filter->GetNeighborhood()];
+  settings.rule.minimumNumberOfPoints =
+    std::max(filter->GetMinimumNumberOfPoints(), ridges::HeightJet::Size(settings.degree));
+  settings.rule.numberOfRings = filter->GetNumberOfRings();
+  settings.rule.radius = filter->GetRadius();
+  return settings;
+}
+
 struct BuildRings
 {
   ridges::OrderedRings& rings;
@@ -79,19 +99,19 @@ struct TryScales
   int minimumNumberOfPoints;
   const std::vector<ridges::Id>& sample;
   std::vector<ridges::ScaleTrial>& trials;
-  vtkSMPThreadLocal<std::shared_ptr<ridges::ScaleProbe>> perThread;
+  vtkRidgesPerThread<ridges::ScaleProbe> perThread;
 
   void operator()(vtkIdType begin, vtkIdType end)
   {
-    std::shared_ptr<ridges::ScaleProbe>& probe = this->perThread.Local();
-    if (!probe)
-    {
-      probe = std::make_shared<ridges::ScaleProbe>(
-        this->mesh, this->rings, this->degree, this->minimumNumberOfPoints);
-    }
+    ridges::ScaleProbe& probe = this->perThread.Get(
+      [this]
+      {
+        return std::make_shared<ridges::ScaleProbe>(
+          this->mesh, this->rings, this->degree, this->minimumNumberOfPoints);
+      });
     for (vtkIdType i = begin; i < end; ++i)
     {
-      this->trials[i] = probe->Try(this->sample[i]);
+      this->trials[i] = probe.Try(this->sample[i]);
     }
   }
 };
@@ -193,7 +213,6 @@ int vtkJetFitting::RequestUpdateExtent(
 int vtkJetFitting::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  using Kind = ridges::NeighborhoodRule::Kind;
   vtkPolyData* input = vtkRidgesGetPolyData(this, inputVector[0]);
   if (!input)
   {
@@ -207,19 +226,6 @@ int vtkJetFitting::RequestData(
       "Neighborhood is by radius, but Radius is " << this->Radius << ": set a positive one.");
     return 0;
   }
-  constexpr Kind kinds[] = { Kind::PointCount, Kind::Rings, Kind::Radius,
-    Kind::RingsAndPointCount };
-  vtkRidgesFitPoints::Settings settings;
-  settings.degree = this->Degree;
-  settings.weighting =
-    this->Weighting == GAUSSIAN ? ridges::Weighting::Gaussian : ridges::Weighting::Uniform;
-  settings.standardErrors = this->StandardErrors;
-  settings.rule.kind = kinds[this->Neighborhood];
-  settings.rule.minimumNumberOfPoints =
-    std::max(this->MinimumNumberOfPoints, ridges::HeightJet::Size(this->Degree));
-  settings.rule.numberOfRings = this->NumberOfRings;
-  settings.rule.radius = this->Radius;
-
   vtkRidgesMesh mesh;
   const std::string faults = mesh.Build(input, {}, ridges::TriangleMesh::Edges::NotBuilt);
   if (!faults.empty())
@@ -237,6 +243,7 @@ int vtkJetFitting::RequestData(
   {
     return 1;
   }
+  vtkRidgesFitPoints::Settings settings = SettingsOf(this);
   int selectedRings = 0;
   if (this->Neighborhood == AUTOMATIC && count > 0)
   {

@@ -54,17 +54,13 @@ vtkRidgesFitPoints::vtkRidgesFitPoints(const ridges::TriangleMesh& mesh,
 
 void vtkRidgesFitPoints::operator()(vtkIdType begin, vtkIdType end)
 {
-  std::shared_ptr<Scratch>& scratch = this->PerThread.Local();
-  if (!scratch)
-  {
-    scratch = std::make_shared<Scratch>(*this);
-  }
+  Scratch& scratch = this->PerThread.Get([this] { return std::make_shared<Scratch>(*this); });
   for (vtkIdType p = begin; p < end; ++p)
   {
-    this->Take(static_cast<ridges::Id>(p), 0, *scratch);
+    this->Take(static_cast<ridges::Id>(p), 0, scratch);
   }
-  this->FitBatches(0, *scratch);
-  this->GrowIllConditioned(*scratch);
+  this->FitBatches(0, scratch);
+  this->GrowIllConditioned(scratch);
 }
 
 /// Into the batches with it if it fits there, else it is fitted at once.
@@ -89,7 +85,7 @@ void vtkRidgesFitPoints::FitBatches(int ringsAdded, Scratch& scratch)
     return;
   }
   scratch.batches.Fit(*this->Kernel,
-    [&](const ridges::JetBatch& batch, ridges::Span<ridges::Id> vertices)
+    [this, ringsAdded, &scratch](const ridges::JetBatch& batch, ridges::Span<ridges::Id> vertices)
     {
       this->Output.Store(vertices, batch, this->Kernel->lanes);
       for (int lane = 0; lane < vertices.size(); ++lane)

@@ -4,12 +4,11 @@
 #define vtkRidgesFitPoints_h
 
 #include "vtkRidgesMongeOutput.h"
+#include "vtkRidgesPerThread.h"
 
 #include "Core/Fit/Batch/JetBatchFiller.h"
 #include "Core/Fit/PointFitter.h"
 #include "Core/Mesh/OrderedRings.h"
-
-#include "vtkSMPThreadLocal.h"
 
 #include <memory>
 #include <mutex>
@@ -75,8 +74,7 @@ private:
   // Of the points, if anything is to be looked at closely.
   std::once_flag NormalsAreMade;
   std::vector<Eigen::Vector3d> Normals;
-  // Shared, as vtkSMPThreadLocal copies the (empty) value it starts from.
-  vtkSMPThreadLocal<std::shared_ptr<Scratch>> PerThread;
+  vtkRidgesPerThread<Scratch> PerThread;
 };
 
 #endif

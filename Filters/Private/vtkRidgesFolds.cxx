@@ -3,8 +3,7 @@
 #include "vtkRidgesFolds.h"
 
 #include "vtkRidgesBatches.h"
-
-#include "vtkSMPThreadLocal.h"
+#include "vtkRidgesPerThread.h"
 
 #include <memory>
 
@@ -23,21 +22,16 @@ struct MeasureFolds
   const ridges::MongeField& field;
   const ridges::FoldRule& rule;
   const std::vector<Place>& places;
-  // Shared, as vtkSMPThreadLocal copies the (empty) value it starts from.
-  vtkSMPThreadLocal<std::shared_ptr<ridges::FoldMeter>> perThread;
+  vtkRidgesPerThread<ridges::FoldMeter> perThread;
 
   void operator()(vtkIdType begin, vtkIdType end)
   {
-    std::shared_ptr<ridges::FoldMeter>& meter = this->perThread.Local();
-    if (!meter)
-    {
-      meter = std::make_shared<ridges::FoldMeter>(this->mesh, this->field, this->rule);
-    }
+    ridges::FoldMeter& meter = this->perThread.Get(
+      [this] { return std::make_shared<ridges::FoldMeter>(this->mesh, this->field, this->rule); });
     for (vtkIdType i = begin; i < end; ++i)
     {
       const ridges::RidgeVertex& vertex = *this->places[i].vertex;
-      *this->places[i].fold =
-        meter->Measure(vertex.point.color, vertex.edge, vertex.point.position);
+      *this->places[i].fold = meter.Measure(vertex.point.color, vertex.edge, vertex.point.position);
     }
   }
 };

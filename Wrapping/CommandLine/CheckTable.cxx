@@ -30,7 +30,7 @@ void PrintCheck(std::ostream& os, vtkTable* checks, vtkIdType row)
   constexpr int nameWidth = 24;
   constexpr int sectionWidth = 13;
   constexpr int resultWidth = 11;
-  const auto text = [&](const char* column)
+  const auto text = [&checks, &row](const char* column)
   { return std::string(checks->GetValueByName(row, column).ToString()); };
   const bool applies = checks->GetValueByName(row, names::Applies).ToInt() != 0;
   const int severity = SeverityOf(checks, row);

@@ -47,20 +47,21 @@ void AddInput(CLI::App& app, Options& options, vtkRidgeExampleSource* example)
       "--surface",
       { { "blend", vtkRidgeExampleSource::BLEND },
         { "ellipsoid", vtkRidgeExampleSource::ELLIPSOID } },
-      example->GetSurface(), [=](int value) { example->SetSurface(value); }, "example surface")
+      example->GetSurface(), [example](int value) { example->SetSurface(value); },
+      "example surface")
     ->excludes(mesh);
   group
     .Number<int>(
       "--frequency", "N", example->GetFrequency(),
       { example->GetFrequencyMinValue(), example->GetFrequencyMaxValue() },
-      [=](int value) { example->SetFrequency(value); },
+      [example](int value) { example->SetFrequency(value); },
       "resolution of the example: 10 N^2 + 2 points")
     ->excludes(mesh);
   const double* axes = example->GetSemiAxes();
   group
     .Triple(
       "--semi-axes", ToText(axes[0]) + "," + ToText(axes[1]) + "," + ToText(axes[2]),
-      [=](Vector3 value) { example->SetSemiAxes(value.data()); },
+      [example](Vector3 value) { example->SetSemiAxes(value.data()); },
       "semi-axes of the ellipsoid, all positive")
     ->excludes(mesh);
 }
@@ -71,39 +72,40 @@ void AddJetFitting(CLI::App& app, vtkJetFitting* filter)
   OptionGroup group(app, "Jet fitting");
   group.Number<int>(
     "--degree", "N", filter->GetDegree(), { leastOrder, filter->GetDegreeMaxValue() },
-    [=](int value) { filter->SetDegree(value); }, "degree of the polynomial fitted at each point");
+    [filter](int value) { filter->SetDegree(value); },
+    "degree of the polynomial fitted at each point");
   group.Number<int>(
     "--monge-order", "N", filter->GetMongeOrder(), { leastOrder, filter->GetMongeOrderMaxValue() },
-    [=](int value) { filter->SetMongeOrder(value); },
+    [filter](int value) { filter->SetMongeOrder(value); },
     "highest order of the derivatives; 3 needs --type-rule third-order");
   group.Choice(
     "--neighborhood",
     { { "point-count", vtkJetFitting::BY_POINT_COUNT }, { "rings", vtkJetFitting::BY_RINGS },
       { "radius", vtkJetFitting::BY_RADIUS }, { "automatic", vtkJetFitting::AUTOMATIC } },
-    filter->GetNeighborhood(), [=](int value) { filter->SetNeighborhood(value); },
+    filter->GetNeighborhood(), [filter](int value) { filter->SetNeighborhood(value); },
     "how large the neighbourhood of a point is; automatic selects 2 to 8 rings by the noise of the "
     "mesh");
   group.Number<int>(
     "--minimum-number-of-points", "N", filter->GetMinimumNumberOfPoints(),
     { filter->GetMinimumNumberOfPointsMinValue(), filter->GetMinimumNumberOfPointsMaxValue() },
-    [=](int value) { filter->SetMinimumNumberOfPoints(value); },
+    [filter](int value) { filter->SetMinimumNumberOfPoints(value); },
     "least number of points, for --neighborhood point-count; use 100 to 200 on noisy meshes");
   group.Number<int>(
     "--number-of-rings", "N", filter->GetNumberOfRings(),
     { filter->GetNumberOfRingsMinValue(), filter->GetNumberOfRingsMaxValue() },
-    [=](int value) { filter->SetNumberOfRings(value); },
+    [filter](int value) { filter->SetNumberOfRings(value); },
     "number of rings, for --neighborhood rings");
   group.Number<double>(
     "--radius", "LENGTH", filter->GetRadius(), { 0.0, AnyLength },
-    [=](double value) { filter->SetRadius(value); },
+    [filter](double value) { filter->SetRadius(value); },
     "radius in units of the mesh, for --neighborhood radius");
   group.Choice(
     "--weighting",
     { { "uniform", vtkJetFitting::UNIFORM }, { "gaussian", vtkJetFitting::GAUSSIAN } },
-    filter->GetWeighting(), [=](int value) { filter->SetWeighting(value); },
+    filter->GetWeighting(), [filter](int value) { filter->SetWeighting(value); },
     "weight of the points in a neighbourhood; gaussian decreases with their distance");
   group.Flag(
-    "--standard-errors", [=](bool on) { filter->SetStandardErrors(on); },
+    "--standard-errors", [filter](bool on) { filter->SetStandardErrors(on); },
     "compute standard errors of the derivatives; --write-mesh writes them too");
 }
 
@@ -113,20 +115,20 @@ void AddUmbilics(CLI::App& app, vtkUmbilicDetection* filter)
   group.Choice(
     "--umbilic-method",
     { { "indices", vtkUmbilicDetection::INDICES }, { "minima", vtkUmbilicDetection::MINIMA } },
-    filter->GetMethod(), [=](int value) { filter->SetMethod(value); },
+    filter->GetMethod(), [filter](int value) { filter->SetMethod(value); },
     "how umbilics are found: by the index of every triangle, which misses none, or at minima of "
     "k1 - k2, as in the paper");
   group.Number<double>(
     "--umbilic-significance", "ERRORS", filter->GetSignificance(),
     { filter->GetSignificanceMinValue(), filter->GetSignificanceMaxValue() },
-    [=](double value) { filter->SetSignificance(value); },
+    [filter](double value) { filter->SetSignificance(value); },
     "number of standard errors within which k1 - k2 counts as 0; opposite umbilics that such "
     "places "
     "connect cancel each other, as noise may have caused them");
   group.Number<double>(
     "--patch-size", "FACTOR", filter->GetPatchSize(),
     { filter->GetPatchSizeMinValue(), filter->GetPatchSizeMaxValue() },
-    [=](double value) { filter->SetPatchSize(value); },
+    [filter](double value) { filter->SetPatchSize(value); },
     "size of the patch around an umbilic, as a multiple of the triangles there");
 }
 
@@ -138,57 +140,57 @@ void AddRidges(CLI::App& app, vtkRidgeExtraction* filter)
   group.Choice(
     "--extract", { { "maximum", maximum }, { "minimum", minimum }, { "both", maximum | minimum } },
     (filter->GetExtractMaximum() ? maximum : 0) | (filter->GetExtractMinimum() ? minimum : 0),
-    [=](int value)
+    [filter](int value)
     {
       filter->SetExtractMaximum((value & maximum) != 0);
       filter->SetExtractMinimum((value & minimum) != 0);
     },
     "principal curvature whose ridges are extracted");
   group.Flag(
-    "--crest-only", [=](bool on) { filter->SetCrestOnly(on); },
+    "--crest-only", [filter](bool on) { filter->SetCrestOnly(on); },
     "extract only crest lines, the visually salient ridges");
   group.Choice(
     "--type-rule",
     { { "fourth-order", vtkRidgeExtraction::FOURTH_ORDER },
       { "third-order", vtkRidgeExtraction::THIRD_ORDER } },
-    filter->GetTypeRule(), [=](int value) { filter->SetTypeRule(value); },
+    filter->GetTypeRule(), [filter](int value) { filter->SetTypeRule(value); },
     "order of the derivatives that decide whether a ridge is elliptic or hyperbolic");
   group.Choice(
     "--extremality-rule",
     { { "principal", vtkRidgeExtraction::PRINCIPAL },
       { "gaussian", vtkRidgeExtraction::GAUSSIAN } },
-    filter->GetExtremalityRule(), [=](int value) { filter->SetExtremalityRule(value); },
+    filter->GetExtremalityRule(), [filter](int value) { filter->SetExtremalityRule(value); },
     "where ridges are: where a principal curvature is extremal or, for comparison, where the "
     "product "
     "of both extremalities changes sign");
   group.Choice(
     "--umbilic-joining",
     { { "patches", vtkRidgeExtraction::PATCHES }, { "triangles", vtkRidgeExtraction::TRIANGLES } },
-    filter->GetUmbilicJoining(), [=](int value) { filter->SetUmbilicJoining(value); },
+    filter->GetUmbilicJoining(), [filter](int value) { filter->SetUmbilicJoining(value); },
     "where ridges are connected to umbilics: in their patches or, less reliably, in single "
     "triangles");
   group.Number<double>(
     "--loop-significance", "ERRORS", filter->GetLoopSignificance(),
     { filter->GetLoopSignificanceMinValue(), filter->GetLoopSignificanceMaxValue() },
-    [=](double value) { filter->SetLoopSignificance(value); },
+    [filter](double value) { filter->SetLoopSignificance(value); },
     "small loops whose extremality is within this many standard errors of 0 are omitted, as noise "
     "may "
     "have caused them; 0 keeps all");
   group.Number<double>(
     "--type-hysteresis", "EDGES", filter->GetTypeHysteresis(),
     { filter->GetTypeHysteresisMinValue(), filter->GetTypeHysteresisMaxValue() },
-    [=](double value) { filter->SetTypeHysteresis(value); },
+    [filter](double value) { filter->SetTypeHysteresis(value); },
     "stretches of one type that are shorter than this many mean edges take the type of both "
     "neighbours; 0 keeps all");
   group.Number<double>(
     "--model-size", "LENGTH", filter->GetModelSize(),
     { filter->GetModelSizeMinValue(), filter->GetModelSizeMaxValue() },
-    [=](double value) { filter->SetModelSize(value); },
+    [filter](double value) { filter->SetModelSize(value); },
     "length that makes sharpness dimensionless; 0: the radius of the smallest enclosing sphere");
   group.Number<double>(
     "--umbilic-cut-off", "FACTOR", filter->GetUmbilicCutOff(),
     { filter->GetUmbilicCutOffMinValue(), filter->GetUmbilicCutOffMaxValue() },
-    [=](double value) { filter->SetUmbilicCutOff(value); },
+    [filter](double value) { filter->SetUmbilicCutOff(value); },
     "distance from umbilics, in model sizes, within which the sharpness of hyperbolic ridges is "
     "not "
     "integrated, as it diverges there");
@@ -257,22 +259,22 @@ void AddSharpness(CLI::App& app, vtkRidgeSharpnessFilter* filter)
   group.Number<double>(
     "--minimum-sharpness", "S", filter->GetMinimumSharpness(),
     { filter->GetMinimumSharpnessMinValue(), filter->GetMinimumSharpnessMaxValue() },
-    [=](double value) { filter->SetMinimumSharpness(value); },
+    [filter](double value) { filter->SetMinimumSharpness(value); },
     "least sharpness of a line, dimensionless; 100 to 1000 removes most of the noise");
   group.Number<double>(
     "--minimum-strength", "S", filter->GetMinimumStrength(),
     { filter->GetMinimumStrengthMinValue(), filter->GetMinimumStrengthMaxValue() },
-    [=](double value) { filter->SetMinimumStrength(value); },
+    [filter](double value) { filter->SetMinimumStrength(value); },
     "least strength of a line, the integral of its curvature, dimensionless");
   group.Number<double>(
     "--minimum-length", "LENGTH", filter->GetMinimumLength(),
     { filter->GetMinimumLengthMinValue(), filter->GetMinimumLengthMaxValue() },
-    [=](double value) { filter->SetMinimumLength(value); },
+    [filter](double value) { filter->SetMinimumLength(value); },
     "least length of a line, in units of the mesh");
 
   AddKeep(app, filter);
   group.Flag(
-    "--keep-crest-only", [=](bool on) { filter->SetCrestOnly(on); },
+    "--keep-crest-only", [filter](bool on) { filter->SetCrestOnly(on); },
     "keep only crest lines of what is extracted");
 }
 
@@ -298,34 +300,34 @@ void AddOutput(CLI::App& app, Options& options)
   group.Text("-o,--output", "PREFIX", options.output,
     "write PREFIX-ridges.vtp, PREFIX-umbilics.vtp and PREFIX.png [name of MESH, or ridges]");
   group.Flag(
-    "--write-mesh", [&](bool on) { options.writeMesh = on; },
+    "--write-mesh", [&options](bool on) { options.writeMesh = on; },
     "write PREFIX-mesh.vtp too: the mesh with the computed arrays");
   CLI::Option* check = group.Flag(
-    "--check", [&](bool on) { options.check = on; },
+    "--check", [&options](bool on) { options.check = on; },
     "check whether ridges and umbilics are consistent, and print where they are not");
   group
     .Flag(
-      "--strict", [&](bool on) { options.strict = on; },
+      "--strict", [&options](bool on) { options.strict = on; },
       "with --check: exit with code 3 if a check fails that noise cannot explain")
     ->needs(check);
   group.Flag(
-    "--no-picture", [&](bool on) { options.noPicture = on; },
+    "--no-picture", [&options](bool on) { options.noPicture = on; },
     "draw no picture, which needs an X display");
   const std::array<int, 2>& size = options.picture.size;
   app
     .add_option_function<std::string>(
       "--picture-size",
-      [&](const std::string& text) { SetPictureSize(text, options.picture.size); },
+      [&options](const std::string& text) { SetPictureSize(text, options.picture.size); },
       "width and height of the picture in pixels")
     ->type_name("WxH")
     ->default_str(ToText(size[0]) + "x" + ToText(size[1]))
     ->group("Output");
   group.Triple(
-    "--view", "", [&](Vector3 value) { options.picture.view = value; },
+    "--view", "", [&options](Vector3 value) { options.picture.view = value; },
     "direction from the model to the viewer [along the least extent, but a little from the side "
     "and from above]");
   group.Triple(
-    "--up", "", [&](Vector3 value) { options.picture.up = value; },
+    "--up", "", [&options](Vector3 value) { options.picture.up = value; },
     "direction that is up in the picture [y or z, the one of larger extent]");
 }
 
@@ -334,11 +336,12 @@ void AddGeneral(CLI::App& app, Options& options)
   OptionGroup group(app, "General");
   group
     .Number<int>(
-      "--threads", "N", options.threads, { 1, 1024 }, [&](int value) { options.threads = value; },
+      "--threads", "N", options.threads, { 1, 1024 },
+      [&options](int value) { options.threads = value; },
       "number of threads, at most one for each processor")
     ->default_str("all");
   group.Flag(
-    "-q,--quiet", [&](bool on) { options.quiet = on; }, "print only errors");
+    "-q,--quiet", [&options](bool on) { options.quiet = on; }, "print only errors");
   app.set_help_flag("-h,--help", "print the most important options and exit")->group("General");
   app.set_help_all_flag("--help-all", "print all options and exit")->group("General");
   app

@@ -192,8 +192,8 @@ void PrintRidges(std::ostream& os, const Results& results)
   vtkDataArray* crest = data->GetArray(names::Crest);
   const vtkIdType lines = results.ridges->GetNumberOfCells();
   os << "\n" << Format("%-30s %8s %12s\n", "ridges", "lines", "length");
-  const auto row =
-    [&](const char* name, const char* color, const std::function<bool(vtkIdType)>& isMeant)
+  const auto row = [&type, &length, &lines, &os](const char* name, const char* color,
+                     const std::function<bool(vtkIdType)>& isMeant)
   {
     long long count = 0;
     double sum = 0.0;
@@ -210,9 +210,10 @@ void PrintRidges(std::ostream& os, const Results& results)
   for (const RidgeStyle& style : RidgeStyles)
   {
     row(style.name, style.colorName,
-      [&](vtkIdType i) { return static_cast<int>(type->GetTuple1(i)) == style.type; });
+      [&type, &style](vtkIdType i) { return static_cast<int>(type->GetTuple1(i)) == style.type; });
   }
-  row("of them crest lines", "", [&](vtkIdType i) { return crest && crest->GetTuple1(i) != 0.0; });
+  row("of them crest lines", "",
+    [&crest](vtkIdType i) { return crest && crest->GetTuple1(i) != 0.0; });
   const vtkIdType left = results.allRidges->GetNumberOfCells() - lines;
   if (left > 0)
   {

@@ -81,7 +81,7 @@ void FindMisplaced(const RidgePicture& picture, const RidgeChain& chain, std::se
 {
   const TriangleMesh& mesh = *picture.mesh;
   const std::size_t count = chain.points.size();
-  const auto pointAt = [&](std::size_t i) -> const PicturePoint&
+  const auto pointAt = [&picture, &chain](std::size_t i) -> const PicturePoint&
   { return picture.points[chain.points[i]]; };
   for (std::size_t i = 0; i < count; ++i)
   {

@@ -128,7 +128,7 @@ CoherenceCheck CheckPatchContours(
 {
   CoherenceCheck check(CheckKind::PatchContours, OffenderKind::Umbilic);
   std::map<Id, std::array<int, 2>> counts;
-  const auto count = [&](Id p, Color color)
+  const auto count = [&picture, &counts](Id p, Color color)
   {
     const Id edge = picture.points[p].edge;
     const std::vector<Id> triangles =

@@ -107,8 +107,8 @@ bool Cross(const TriangleMesh& mesh, const Chord& a, const Chord& b)
   {
     return !b.toUmbilic && Cross(mesh, b, a);
   }
-  const auto isBetween = [&](double x) { return x > a.start && x < a.end; };
-  const auto touches = [&](double x) { return x == a.start || x == a.end; };
+  const auto isBetween = [&a](double x) { return x > a.start && x < a.end; };
+  const auto touches = [&a](double x) { return x == a.start || x == a.end; };
   if (touches(b.start) || (!b.toUmbilic && touches(b.end)))
   {
     return false;
@@ -225,12 +225,14 @@ CoherenceCheck CheckNoIntersections(
   for (auto first = chords.begin(); first != chords.end();)
   {
     const auto last = std::find_if(first, chords.end(),
-      [&](const Chord& c) { return c.triangle != first->triangle || c.color != first->color; });
+      [&first](const Chord& c)
+      { return c.triangle != first->triangle || c.color != first->color; });
     bool cross = false;
     for (auto a = first; a != last; ++a)
     {
       cross = cross ||
-        std::any_of(a + 1, last, [&](const Chord& b) { return Cross(*picture.mesh, *a, b); });
+        std::any_of(
+          a + 1, last, [&picture, &a](const Chord& b) { return Cross(*picture.mesh, *a, b); });
     }
     const Id t = first->triangle;
     if (cross && (check.offenders.empty() || check.offenders.back().ids[0] != t))

@@ -176,7 +176,7 @@ JetErrors StandardErrors(const JetFitter& fitter, const JetFit& fit)
     .solveInPlace(factors);
   const Eigen::VectorXd unit = UnitErrors(fitter, factors);
 
-  const auto error = [&](int column, int degree)
+  const auto error = [&variance, &unit, &fit](int column, int degree)
   {
     const double value = std::sqrt(variance) * unit[column];
     return fit.degree >= degree && std::isfinite(value) ? value : JetErrors::Unknown;

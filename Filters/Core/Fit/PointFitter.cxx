@@ -126,7 +126,7 @@ Id PointFitter::CountBelow(double cosine, Span<Id> points, const Eigen::Vector3d
 {
   const Eigen::Vector3d* normals = this->Normals_();
   return static_cast<Id>(std::count_if(points.begin(), points.end(),
-    [&](Id p) { return normals[p].dot(axis) < cosine * normals[p].norm(); }));
+    [normals, &axis, cosine](Id p) { return normals[p].dot(axis) < cosine * normals[p].norm(); }));
 }
 
 bool PointFitter::IsSteep(Span<Id> points, const Eigen::Vector3d& axis) const
@@ -155,8 +155,8 @@ JetFit PointFitter::FitBeforeFold(Id vertex, const JetFit& folded)
   constexpr double cosine = 0.2; // clearly before
   const Eigen::Vector3d* normals = this->Normals_();
   const Eigen::Vector3d own = normals[vertex].normalized();
-  const Span<Id> points = this->Neighborhood_.Gather(
-    vertex, this->Rule_, [&](Id p) { return normals[p].dot(own) >= cosine * normals[p].norm(); });
+  const Span<Id> points = this->Neighborhood_.Gather(vertex, this->Rule_,
+    [normals, &own](Id p) { return normals[p].dot(own) >= cosine * normals[p].norm(); });
   JetFit fit = folded;
   if (points.size() >= HeightJet::Size(std::min(2, this->Degree_)))
   {

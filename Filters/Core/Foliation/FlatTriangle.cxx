@@ -19,7 +19,8 @@ std::array<int, 3> OrderOfCorners(const TriangleMesh& mesh, const Triangle& corn
 {
   std::array<int, 3> order = { 0, 1, 2 };
   std::sort(order.begin(), order.end(),
-    [&](int i, int j) { return ComesBefore(mesh.Point(corners[i]), mesh.Point(corners[j])); });
+    [&mesh, &corners](int i, int j)
+    { return ComesBefore(mesh.Point(corners[i]), mesh.Point(corners[j])); });
   return order;
 }
 

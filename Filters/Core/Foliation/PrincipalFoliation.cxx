@@ -335,7 +335,7 @@ double PrincipalFoliation::DistanceToLines(double radius, const OwnRange& own)
   const TracedSegment& last = this->Segments_.Last();
   const double ignored = OwnArc * this->Rule_.leastDistance;
   const double distance = this->Segments_.Distance(last.end, last.triangle, radius,
-    [&](const TracedSegment& segment)
+    [this, &own, &ignored](const TracedSegment& segment)
     {
       return segment.line != this->Line_ ||
         (std::abs(segment.arc - own.arc) > ignored &&
@@ -439,7 +439,7 @@ void PrincipalFoliation::CoverAround(const Eigen::Vector3d& center, Id triangle,
 {
   const double square = radius * radius;
   this->Segments_.Ball().Visit(center, triangle, square,
-    [&](Id t)
+    [this, &triangle, &center, &square](Id t)
     {
       const bool isNear =
         t == triangle || (this->Mesh_.Centroid(t) - center).squaredNorm() < square;

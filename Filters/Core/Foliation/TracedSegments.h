@@ -67,7 +67,7 @@ public:
     bool isFree = true;
     const double square = radius * radius;
     this->Ball_.Visit(point, triangle, square,
-      [&](Id t)
+      [this, &isFree, &point, &square](Id t)
       {
         for (Id s = this->Top_[t]; s >= 0 && isFree; s = this->Segments_[s].below)
         {
@@ -86,7 +86,7 @@ public:
   {
     double square = radius * radius;
     this->Ball_.Visit(point, triangle, square,
-      [&](Id t)
+      [this, &counts, &square, &point](Id t)
       {
         for (Id s = this->Top_[t]; s >= 0; s = this->Segments_[s].below)
         {

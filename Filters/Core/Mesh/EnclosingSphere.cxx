@@ -143,7 +143,7 @@ Sphere SmallestEnclosingSphere(const TriangleMesh& mesh)
   {
     return {};
   }
-  const auto farthestFrom = [&](const Eigen::Vector3d& center)
+  const auto farthestFrom = [&mesh, &isUsed](const Eigen::Vector3d& center)
   {
     Eigen::Vector3d farthest = center;
     double squared = 0.0;

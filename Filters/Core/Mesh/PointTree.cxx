@@ -43,12 +43,14 @@ void PointTree::Build(std::size_t begin, std::size_t end)
   const auto first = this->Numbers_.begin() + static_cast<std::ptrdiff_t>(begin);
   const auto last = this->Numbers_.begin() + static_cast<std::ptrdiff_t>(end);
   Eigen::AlignedBox3d box;
-  std::for_each(first, last, [&](std::size_t number) { box.extend(this->Points_[number]); });
+  std::for_each(
+    first, last, [this, &box](std::size_t number) { box.extend(this->Points_[number]); });
   int axis = 0;
   box.sizes().maxCoeff(&axis);
   const std::size_t middle = begin + (end - begin) / 2;
   std::nth_element(first, this->Numbers_.begin() + static_cast<std::ptrdiff_t>(middle), last,
-    [&](std::size_t a, std::size_t b) { return this->Points_[a][axis] < this->Points_[b][axis]; });
+    [this, &axis](std::size_t a, std::size_t b)
+    { return this->Points_[a][axis] < this->Points_[b][axis]; });
   this->Axes_[middle] = static_cast<std::uint8_t>(axis);
   this->Build(begin, middle);
   this->Build(middle + 1, end);

@@ -29,7 +29,7 @@ Id PlaceAmongEight(const Id* ids, Id wanted)
   static_assert(LargestSmallFan == 8);
 #ifdef __SSE2__
   const __m128i all = _mm_set1_epi32(wanted);
-  const auto equal = [=](const Id* four)
+  const auto equal = [all](const Id* four)
   { return _mm_cmpeq_epi32(_mm_loadu_si128(reinterpret_cast<const __m128i*>(four)), all); };
   const __m128i words = _mm_packs_epi32(equal(ids), equal(ids + 4));
   const int found = _mm_movemask_epi8(_mm_packs_epi16(words, words));
@@ -108,7 +108,7 @@ Span<Id> RingNeighborhood::NeighborsOfIrregular(Id p)
   }
   const auto center = this->Mesh_.Point(p);
   std::sort(neighbors.begin(), neighbors.end(),
-    [&](Id q, Id r)
+    [this, &center](Id q, Id r)
     {
       const auto x = this->Mesh_.Point(q);
       const auto y = this->Mesh_.Point(r);
@@ -201,7 +201,7 @@ void RingNeighborhood::AddRings(const NeighborhoodRule& rule, Accept accept)
   {
     const Eigen::Vector3d center = this->Mesh_.Point(this->Points_[0]);
     const double squaredRadius = rule.radius * rule.radius;
-    const auto inside = [&](Id p)
+    const auto inside = [this, &center, squaredRadius, &accept](Id p)
     { return (this->Mesh_.Point(p) - center).squaredNorm() <= squaredRadius && accept(p); };
     while (this->AddRing(inside))
     {

@@ -52,10 +52,10 @@ void TriangleMesh::BuildIncidence(const RangeLoop& loop, Id shares)
   // the place of the next triangle of this share at the point, behind those of the shares before.
   const auto points = static_cast<std::size_t>(this->NumberOfPoints_);
   Buffer<Id> next(points * shares);
-  const auto forShares = [&](auto visit)
+  const auto forShares = [this, &next, &points, &shares, &loop](auto visit)
   {
     loop(shares,
-      [&](Id begin, Id end)
+      [this, &visit, &next, &points, &shares](Id begin, Id end)
       {
         for (Id share = begin; share < end; ++share)
         {
@@ -66,7 +66,7 @@ void TriangleMesh::BuildIncidence(const RangeLoop& loop, Id shares)
       });
   };
   forShares(
-    [&](Id* counts, Id begin, Id end)
+    [this, &points](Id* counts, Id begin, Id end)
     {
       std::fill_n(counts, points, 0);
       for (Id t = begin; t < end; ++t)
@@ -95,7 +95,7 @@ void TriangleMesh::BuildIncidence(const RangeLoop& loop, Id shares)
 
   this->Incident_ = Buffer<Id>(sum);
   forShares(
-    [&](Id* places, Id begin, Id end)
+    [this](Id* places, Id begin, Id end)
     {
       for (Id t = begin; t < end; ++t)
       {
@@ -118,7 +118,7 @@ void TriangleMesh::BuildEdges(const RangeLoop& loop)
   std::vector<std::vector<Id>> border(chunks); // in found[chunk]
   this->TriangleEdges_ = Buffer<Triangle>(this->Triangles_.size());
   loop(chunks,
-    [&](Id begin, Id end)
+    [this, &count, &found, &border](Id begin, Id end)
     {
       for (Id chunk = begin; chunk < end; ++chunk)
       {
@@ -134,7 +134,7 @@ void TriangleMesh::BuildEdges(const RangeLoop& loop)
   }
   this->Edges_ = Buffer<Edge>(first[chunks]);
   loop(chunks,
-    [&](Id begin, Id end)
+    [this, &found, &first](Id begin, Id end)
     {
       for (Id chunk = begin; chunk < end; ++chunk)
       {
@@ -142,7 +142,7 @@ void TriangleMesh::BuildEdges(const RangeLoop& loop)
       }
     });
   loop(this->NumberOfTriangles(),
-    [&](Id begin, Id end)
+    [this, &first](Id begin, Id end)
     {
       for (Id t = begin; t < end; ++t)
       {

@@ -25,7 +25,7 @@ void RidgeCrossings::Find(Id beginEdge, Id endEdge, std::vector<Id>& crossed)
   for (Id e = beginEdge; e < endEdge; ++e)
   {
     const Edge& edge = this->Mesh_.EdgeAt(e);
-    const auto changes = [&](Color color)
+    const auto changes = [this, &edge](Color color)
     { return ridges::IsCrossed(this->Field_, color, edge.v0, edge.v1); };
     // The product changes where one of its factors does, in whatever frame.
     const bool isCrossed = this->Extremality_ == ExtremalityRule::Principal

@@ -91,7 +91,7 @@ private:
   std::vector<bool> FindPiecesInPatches(const Ridge& ridge) const
   {
     std::vector<bool> inPatch(ridge.segments.size(), false);
-    const auto mark = [&](Id node, std::size_t start, int step)
+    const auto mark = [this, &ridge, &inPatch](Id node, std::size_t start, int step)
     {
       if (!Ridge::IsUmbilic(node) || !this->Umbilics_.patchOf)
       {

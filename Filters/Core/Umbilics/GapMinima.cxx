@@ -96,7 +96,7 @@ bool GapMinima::Minimizes(Id triangle)
   const double gap = TriangleGap(this->Mesh_, this->Field_, triangle);
   const Span<Id> patch = this->Patch_.Grow(triangle, this->PatchSize_);
   return std::all_of(patch.begin(), patch.end(),
-    [&](Id t) { return TriangleGap(this->Mesh_, this->Field_, t) >= gap; });
+    [this, &gap](Id t) { return TriangleGap(this->Mesh_, this->Field_, t) >= gap; });
 }
 
 Id GapMinima::NearestSingularTriangle(Span<Id> patch) const
@@ -131,7 +131,7 @@ std::vector<Umbilic> GapMinima::Select(std::vector<Id> candidates)
   for (const Id t : candidates)
   {
     const Span<Id> patch = this->Patch_.Grow(t, this->PatchSize_);
-    if (std::any_of(patch.begin(), patch.end(), [&](Id s) { return taken[s]; }))
+    if (std::any_of(patch.begin(), patch.end(), [&taken](Id s) { return taken[s]; }))
     {
       continue;
     }

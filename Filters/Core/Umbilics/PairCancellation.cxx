@@ -444,7 +444,7 @@ Cancellation CancelPairs(const TriangleMesh& mesh, std::vector<IndexCharge> char
   const auto isThere = [&charges](int halfTurns)
   {
     return std::any_of(charges.begin(), charges.end(),
-      [=](const IndexCharge& charge) { return charge.halfTurns == halfTurns; });
+      [halfTurns](const IndexCharge& charge) { return charge.halfTurns == halfTurns; });
   };
   if (!isThere(1) || !isThere(-1))
   {

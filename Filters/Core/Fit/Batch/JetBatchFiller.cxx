@@ -123,7 +123,7 @@ void JetBatchFiller::WeightLane(int lane, int stride, const Neighborhood& neighb
 {
   JetBatch& batch = *this->Batch_;
   const auto vertex = this->Mesh_.Point(neighborhood.vertex);
-  const auto squaredDistance = [&](int row)
+  const auto squaredDistance = [this, &batch, &lane, &vertex](int row)
   { return (this->Mesh_.Point(batch.neighbors[lane][row]) - vertex).squaredNorm(); };
   double squaredRadius = 0.0;
   for (int row = 0; row < neighborhood.count; ++row)
@@ -145,7 +145,7 @@ void JetBatchFiller::Clear()
 
 bool TakeResult(const JetBatch& batch, int lanes, int lane, MongeForm& form)
 {
-  const auto take = [=](const double* values, auto& tuple)
+  const auto take = [lanes, lane](const double* values, auto& tuple)
   {
     for (int i = 0; i < static_cast<int>(tuple.size()); ++i)
     {

@@ -98,7 +98,8 @@ inline void FitDegree(ridges::JetBatch& batch)
 
   Vec coefficients[size];
   Project<Degree>(
-    points, Vec{}, [&](int row) { return points.Weight(row) * points.at[row].z; }, coefficients);
+    points, Vec{}, [&points](int row) { return points.Weight(row) * points.at[row].z; },
+    coefficients);
   equations.Solve(coefficients);
 
   // Iterative refinement: what the polynomial misses at the points, fitted once more.
@@ -107,7 +108,7 @@ inline void FitDegree(ridges::JetBatch& batch)
   Vec corrections[size];
   Project<Degree>(
     points, -totalWeight * coefficients[0],
-    [&](int row)
+    [&points, &coefficients, &squares, &totalWeight](int row)
     {
       const Vec weight = points.Weight(row);
       const Vec3& p = points.at[row];

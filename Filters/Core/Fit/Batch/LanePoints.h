@@ -24,10 +24,10 @@ namespace
 /// Point number `row` of each lane's list.
 inline Vec3 LoadPoints(const double* points, const std::int32_t* const* lists, int row)
 {
-  const auto point = [=](int lane)
+  const auto point = [points, lists, row](int lane)
   { return points + 3 * static_cast<std::int64_t>(lists[lane][row]); };
 #if defined(RIDGES_LANE_POINTS_AVX512)
-  const auto load = [&](int low, int high)
+  const auto load = [&point](int low, int high)
   {
     const __m512d first = _mm512_castpd256_pd512(_mm256_maskz_loadu_pd(7, point(low)));
     return _mm512_maskz_insertf64x4(0xff, first, _mm256_maskz_loadu_pd(7, point(high)), 1);

@@ -79,64 +79,70 @@ std::size_t PatchContour::NumberOfSides() const
   return count;
 }
 
-bool PatchContour::Walk()
+// From a place that depends neither on a hash table nor on the numbering.
+bool PatchContour::FindStart(Place& start) const
 {
-  this->Sides_.clear();
-  const std::size_t count = this->NumberOfSides();
-  // From a place that depends neither on a hash table nor on the numbering.
-  Id first = -1;
-  int firstSide = 0;
+  start.triangle = -1;
   Eigen::Vector3d least;
   for (const auto& glued : this->Glued_)
   {
+    const Triangle& corners = this->Mesh_.Corners(glued.first);
     for (int side = 0; side < 3; ++side)
     {
-      const Triangle& corners = this->Mesh_.Corners(glued.first);
       const Eigen::Vector3d middle =
         this->Mesh_.Point(corners[side]) + this->Mesh_.Point(corners[(side + 1) % 3]);
       // An edge that is cut has two triangles.
-      const bool comesFirst = first < 0 || ComesBefore(middle, least) ||
-        (middle == least && ComesBefore(this->Mesh_, glued.first, first));
+      const bool comesFirst = start.triangle < 0 || ComesBefore(middle, least) ||
+        (middle == least && ComesBefore(this->Mesh_, glued.first, start.triangle));
       if ((glued.second >> side & 1U) == 0 && comesFirst)
       {
-        first = glued.first;
-        firstSide = side;
+        start = { glued.first, this->Mesh_.EdgeOf(glued.first, side), corners[(side + 1) % 3] };
         least = middle;
       }
     }
   }
-  if (first < 0)
+  return start.triangle >= 0;
+}
+
+PatchContour::Side PatchContour::Advance(Place& place) const
+{
+  Side side{ place.triangle, place.edge, place.end, {} };
+  // Around the end, from the edge that leads there to the next one that leads on.
+  for (;;)
+  {
+    const Triangle& corners = this->Mesh_.Corners(place.triangle);
+    const int corner = corners[0] == place.end ? 0 : (corners[1] == place.end ? 1 : 2);
+    const Id after = this->Mesh_.EdgeOf(place.triangle, corner);
+    const Id before = this->Mesh_.EdgeOf(place.triangle, (corner + 2) % 3);
+    place.edge = place.edge == after ? before : after;
+    const Id across = this->Across(place.triangle, place.edge);
+    if (across < 0)
+    {
+      break;
+    }
+    side.spokes.push_back(place.edge);
+    place.triangle = across;
+  }
+  const Edge& next = this->Mesh_.EdgeAt(place.edge);
+  place.end = next.v0 == place.end ? next.v1 : next.v0;
+  return side;
+}
+
+bool PatchContour::Walk()
+{
+  this->Sides_.clear();
+  Place place;
+  if (!this->FindStart(place))
   {
     return false;
   }
-
-  Id triangle = first;
-  Id edge = this->Mesh_.EdgeOf(first, firstSide);
-  Id end = this->Mesh_.Corners(first)[(firstSide + 1) % 3];
+  const Place start = place;
+  const std::size_t count = this->NumberOfSides();
   do
   {
-    Side step{ triangle, edge, end, {} };
-    // Around the end, from the edge that leads there to the next one that leads on.
-    for (;;)
-    {
-      const Triangle& corners = this->Mesh_.Corners(triangle);
-      const int corner = corners[0] == end ? 0 : (corners[1] == end ? 1 : 2);
-      const Id after = this->Mesh_.EdgeOf(triangle, corner);
-      const Id before = this->Mesh_.EdgeOf(triangle, (corner + 2) % 3);
-      edge = edge == after ? before : after;
-      const Id across = this->Across(triangle, edge);
-      if (across < 0)
-      {
-        break;
-      }
-      step.spokes.push_back(edge);
-      triangle = across;
-    }
-    const Edge& next = this->Mesh_.EdgeAt(edge);
-    end = next.v0 == end ? next.v1 : next.v0;
-    this->Sides_.push_back(std::move(step));
+    this->Sides_.push_back(this->Advance(place));
   } while (this->Sides_.size() <= count &&
-    !(triangle == this->Sides_.front().triangle && edge == this->Sides_.front().edge));
+    !(place.triangle == start.triangle && place.edge == start.edge));
   return this->Sides_.size() == count;
 }
 

@@ -39,10 +39,22 @@ public:
   Id Across(Id triangle, Id edge) const;
 
 private:
+  /// Where a walk is: on an edge of the contour, on the way to one of its ends.
+  struct Place
+  {
+    Id triangle = -1; ///< Inside, next to the edge.
+    Id edge = -1;
+    Id end = -1;
+  };
+
   void GlueAll(const std::vector<Id>& triangles);
   void GlueTree(Id root);
-  bool Walk();
   std::size_t NumberOfSides() const;
+  /// Walks around the triangles; false if there is not one contour.
+  bool Walk();
+  bool FindStart(Place& start) const;
+  /// The side that a walk passes from here to the next place.
+  Side Advance(Place& place) const;
 
   const TriangleMesh& Mesh_;
   std::unordered_map<Id, unsigned> Glued_; ///< A bit for each side of a triangle.

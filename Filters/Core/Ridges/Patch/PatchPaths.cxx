@@ -80,7 +80,8 @@ bool PatchPaths::Straight(std::size_t side, const Eigen::Vector3d& from, Id targ
   // Which side of the line through both, seen along the normal of the target.
   const Eigen::Vector3d normal = AreaNormalInOrder(this->Mesh_, target);
   const Eigen::Vector3d across = normal.cross(position - from);
-  const auto offset = [&](Id p) { return across.dot(this->Mesh_.Point(p) - from); };
+  const auto offset = [this, &across, &from](Id p)
+  { return across.dot(this->Mesh_.Point(p) - from); };
   // On the way it comes nearer all the time: on a fold it might come from the other side.
   const Eigen::Vector3d along = across.cross(normal);
   double passed = 0.0;

@@ -92,11 +92,11 @@ PatchRidges::Joints PatchRidges::Join(const RidgePatch& patch, const PatchContou
 {
   // Pairs that marching joins are taken for this much nearer than they are.
   constexpr double preference = 0.25;
-  const auto position = [&](Id i) -> const Eigen::Vector3d&
+  const auto position = [this, &contour, &crossings](Id i) -> const Eigen::Vector3d&
   { return this->Crossings_.PointOn(contour.Sides()[crossings[i].side].edge).position; };
   // Two on sides of the umbilic's own triangle are joined straight through it: not where that
   // would cut the umbilic off from the others.
-  const auto cutsOff = [&](Id i, Id j)
+  const auto cutsOff = [this, &contour, &crossings, &patch, &position](Id i, Id j)
   {
     const PatchContour::Side& a = contour.Sides()[crossings[i].side];
     const PatchContour::Side& b = contour.Sides()[crossings[j].side];
@@ -113,7 +113,7 @@ PatchRidges::Joints PatchRidges::Join(const RidgePatch& patch, const PatchContou
     return across.dot(mesh.Point(corner) - position(i)) * across.dot(patch.position - position(i)) >
       0.0;
   };
-  const auto cost = [&](Id i, Id j)
+  const auto cost = [&position, &crossings, &cutsOff](Id i, Id j)
   {
     const double distance = (position(i) - position(j)).norm();
     const double preferred = crossings[i].partner == j ? preference * distance : distance;
@@ -182,9 +182,9 @@ void PatchRidges::Draw(const RidgePatch& patch, std::vector<RidgeSegment>& segme
   }
   const Joints joints = this->Join(patch, contour, crossings);
 
-  const auto edgeOf = [&](std::size_t side) { return contour.Sides()[side].edge; };
-  const auto add =
-    [&](Id triangle, Id edge0, Id edge1, RidgeType type, const std::vector<EdgeCrossing>& through)
+  const auto edgeOf = [&contour](std::size_t side) { return contour.Sides()[side].edge; };
+  const auto add = [this, &mesh, &color, &segments, &paths](Id triangle, Id edge0, Id edge1,
+                     RidgeType type, const std::vector<EdgeCrossing>& through)
   {
     RidgePath path;
     for (const EdgeCrossing& crossing : through)
