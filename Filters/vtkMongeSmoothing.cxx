@@ -12,6 +12,7 @@
 #include "vtkRidgesArrayNames.h"
 #include "vtkRidgesBatches.h"
 #include "vtkRidgesMongeInput.h"
+#include "vtkRidgesRequest.h"
 #include "vtkRidgesUmbilicMarks.h"
 
 #include "vtkDoubleArray.h"
@@ -280,7 +281,13 @@ const char* vtkMongeSmoothing::GetMethodAsString() const
 int vtkMongeSmoothing::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
+  vtkPolyData* input = vtkRidgesGetPolyData(this, inputVector[0]);
+  if (!input ||
+    !vtkRidgesAreNumbers(
+      this, { { "Sigma", this->Sigma }, { "RelativeSigma", this->RelativeSigma } }))
+  {
+    return 0;
+  }
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   const bool allOrders = this->Method == ALL_ORDERS;
 

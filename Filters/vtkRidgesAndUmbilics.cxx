@@ -23,16 +23,6 @@ vtkStandardNewMacro(vtkRidgesAndUmbilics);
 namespace
 {
 
-/// A message without what VTK puts around it: file, line and object of the stage.
-std::string BareText(const char* text)
-{
-  std::string bare = text;
-  const std::size_t object = bare.find("): ");
-  bare.erase(0, object == std::string::npos ? 0 : object + 3);
-  bare.erase(bare.find_last_not_of(" \n") + 1);
-  return bare;
-}
-
 /// Sets a property of a stage. If that modifies the stage, the filter is modified, too.
 template <typename Stage, typename Value>
 void SetOnStage(vtkAlgorithm* filter, Stage* stage, void (Stage::*setter)(Value), Value value)
@@ -124,7 +114,7 @@ void vtkRidgesAndUmbilics::vtkInternals::ForwardProgress(vtkObject* stage, unsig
 
 void vtkRidgesAndUmbilics::vtkInternals::ForwardMessage(vtkObject*, unsigned long event, void* text)
 {
-  const std::string bare = BareText(static_cast<const char*>(text));
+  const std::string bare = vtkRidgesBareText(static_cast<const char*>(text));
   if (event == vtkCommand::WarningEvent)
   {
     vtkWarningWithObjectMacro(this->Filter, << bare);

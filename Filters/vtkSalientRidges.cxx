@@ -9,8 +9,10 @@
 #include "vtkMongeSmoothing.h"
 #include "vtkRidgesArrayNames.h"
 #include "vtkRidgesBatches.h"
+#include "vtkRidgesCompatibility.h"
 #include "vtkRidgesFolds.h"
 #include "vtkRidgesMongeInput.h"
+#include "vtkRidgesRequest.h"
 #include "vtkRidgesSalientLines.h"
 #include "vtkRidgesSearch.h"
 #include "vtkRidgesUmbilicMarks.h"
@@ -45,16 +47,6 @@ namespace
 /// How far walks across ridges go at most, in units of the scale. Farther than eight there is
 /// hardly a feature of that scale left, and slow bends of the whole body would count as folds.
 constexpr double Reach = 8.0;
-
-/// A message without what VTK puts around it: file, line and object of the stage.
-std::string BareText(const char* text)
-{
-  std::string bare = text;
-  const std::size_t object = bare.find("): ");
-  bare.erase(0, object == std::string::npos ? 0 : object + 3);
-  bare.erase(bare.find_last_not_of(" \n") + 1);
-  return bare;
-}
 
 void SetFieldValue(vtkPolyData* data, const char* name, double value)
 {
@@ -136,7 +128,7 @@ void vtkSalientRidges::vtkInternals::ForwardProgress(vtkObject* stage, unsigned 
 {
   auto* algorithm = static_cast<vtkAlgorithm*>(stage);
   this->Filter->UpdateProgress(this->From + (this->To - this->From) * algorithm->GetProgress());
-  if (this->Filter->GetAbortExecute())
+  if (vtkRidgesCompatibility::IsAborted(this->Filter))
   {
     algorithm->SetAbortExecute(1);
   }
@@ -144,7 +136,7 @@ void vtkSalientRidges::vtkInternals::ForwardProgress(vtkObject* stage, unsigned 
 
 void vtkSalientRidges::vtkInternals::ForwardMessage(vtkObject*, unsigned long event, void* text)
 {
-  const std::string bare = BareText(static_cast<const char*>(text));
+  const std::string bare = vtkRidgesBareText(static_cast<const char*>(text));
   if (event == vtkCommand::WarningEvent)
   {
     if (!this->Silent)
@@ -165,7 +157,7 @@ vtkPolyData* vtkSalientRidges::vtkInternals::Run(
   this->To = to;
   stage->SetInputData(input);
   stage->Update();
-  if (this->Filter->GetAbortExecute())
+  if (vtkRidgesCompatibility::IsAborted(this->Filter))
   {
     // Taken back, as VTK after 9.1 does not do so itself; and what it has left is not its output.
     stage->SetAbortExecute(0);
@@ -291,12 +283,23 @@ vtkSalientRidges::~vtkSalientRidges() = default;
 int vtkSalientRidges::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  vtkPolyData* input = vtkPolyData::GetData(inputVector[0]);
+  vtkPolyData* input = vtkRidgesGetPolyData(this, inputVector[0]);
+  if (!input)
+  {
+    return 0;
+  }
   vtkPolyData* output = vtkPolyData::GetData(outputVector, RIDGES);
   vtkPolyData* mesh = vtkPolyData::GetData(outputVector, MESH);
   if (input->GetNumberOfPoints() > 0 && input->GetNumberOfPolys() + input->GetNumberOfStrips() == 0)
   {
     vtkErrorMacro("The input has points, but no triangles: give the mesh of a surface.");
+    return 0;
+  }
+  if (!vtkRidgesAreNumbers(this,
+        { { "FoldAngle", this->FoldAngle }, { "RelativeScale", this->RelativeScale },
+          { "Hysteresis", this->Hysteresis }, { "LongestGap", this->LongestGap },
+          { "LeastMass", this->LeastMass }, { "NoiseFactor", this->NoiseFactor } }))
+  {
     return 0;
   }
   vtkInternals& stages = *this->Internals;

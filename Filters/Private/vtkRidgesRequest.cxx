@@ -39,3 +39,12 @@ bool vtkRidgesAreNumbers(
   }
   return wrong.empty();
 }
+
+std::string vtkRidgesBareText(const char* message)
+{
+  std::string text = message;
+  const std::size_t object = text.find("): ");
+  text.erase(0, object == std::string::npos ? 0 : object + 3);
+  text.erase(text.find_last_not_of(" \n") + 1);
+  return text;
+}

@@ -6,9 +6,10 @@
 #include "vtkRidgesCompatibility.h"
 
 #include <initializer_list>
+#include <string>
 #include <utility>
 
-// What filters check at the beginning of a request, private to the module.
+// What filters share in their requests, private to the module.
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkInformationVector;
@@ -23,5 +24,8 @@ vtkPolyData* vtkRidgesGetPolyData(vtkAlgorithm* filter, vtkInformationVector* in
 /// setter that clamps lets NaN through.
 bool vtkRidgesAreNumbers(
   vtkAlgorithm* filter, std::initializer_list<std::pair<const char*, double>> properties);
+
+/// The text of a warning or error event without what VTK puts around it: file, line and object.
+std::string vtkRidgesBareText(const char* message);
 
 #endif

@@ -9,6 +9,7 @@
 #include "vtkCellArray.h"
 #include "vtkDataArray.h"
 #include "vtkJetFitting.h"
+#include "vtkMongeSmoothing.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
@@ -17,6 +18,7 @@
 #include "vtkRidgeSharpnessFilter.h"
 #include "vtkRidgesAndUmbilics.h"
 #include "vtkRidgesArrayNames.h"
+#include "vtkSalientRidges.h"
 #include "vtkUmbilicDetection.h"
 
 #include <gtest/gtest.h>
@@ -264,6 +266,14 @@ TEST(BadProperties, EveryFilterRejectsNaN)
   EXPECT_NAN_IS_AN_ERROR(vtkRidgeSharpnessFilter, MinimumLength, ridges);
   EXPECT_NAN_IS_AN_ERROR(vtkPrincipalFoliation, Separation, marked);
   EXPECT_NAN_IS_AN_ERROR(vtkPrincipalFoliation, MinimumLength, marked);
+  EXPECT_NAN_IS_AN_ERROR(vtkMongeSmoothing, Sigma, fitted);
+  EXPECT_NAN_IS_AN_ERROR(vtkMongeSmoothing, RelativeSigma, fitted);
+  EXPECT_NAN_IS_AN_ERROR(vtkSalientRidges, FoldAngle, fitted);
+  EXPECT_NAN_IS_AN_ERROR(vtkSalientRidges, RelativeScale, fitted);
+  EXPECT_NAN_IS_AN_ERROR(vtkSalientRidges, Hysteresis, fitted);
+  EXPECT_NAN_IS_AN_ERROR(vtkSalientRidges, LongestGap, fitted);
+  EXPECT_NAN_IS_AN_ERROR(vtkSalientRidges, LeastMass, fitted);
+  EXPECT_NAN_IS_AN_ERROR(vtkSalientRidges, NoiseFactor, fitted);
   EXPECT_NAN_IS_AN_ERROR(vtkRidgesAndUmbilics, MinimumSharpness, fitted);
   EXPECT_NAN_IS_AN_ERROR(vtkRidgesAndUmbilics, UmbilicCutOff, fitted);
 #undef EXPECT_NAN_IS_AN_ERROR

@@ -8,6 +8,7 @@
 #include "vtkCellData.h"
 #include "vtkImageData.h"
 #include "vtkJetFitting.h"
+#include "vtkMongeSmoothing.h"
 #include "vtkMultiBlockDataSet.h"
 #include "vtkNew.h"
 #include "vtkPartitionedDataSet.h"
@@ -16,6 +17,7 @@
 #include "vtkRidgeExtraction.h"
 #include "vtkRidgeSharpnessFilter.h"
 #include "vtkRidgesAndUmbilics.h"
+#include "vtkSalientRidges.h"
 #include "vtkTable.h"
 #include "vtkUmbilicDetection.h"
 #include "vtkVariant.h"
@@ -64,15 +66,19 @@ struct Chain
     this->foliation->SetInputConnection(this->umbilics->GetOutputPort());
     this->foliation->SetSeparation(0.3);
     this->all->SetInputDataObject(input);
+    this->smoothing->SetInputConnection(this->jets->GetOutputPort());
+    this->salient->SetInputDataObject(input);
     this->selection->Update();
     this->foliation->Update();
     this->all->Update();
+    this->smoothing->Update();
+    this->salient->Update();
   }
 
   std::vector<vtkAlgorithm*> Filters() const
   {
-    return { this->jets, this->umbilics, this->ridges, this->selection, this->foliation,
-      this->all };
+    return { this->jets, this->umbilics, this->ridges, this->selection, this->foliation, this->all,
+      this->smoothing, this->salient };
   }
 
   vtkNew<vtkJetFitting> jets;
@@ -81,6 +87,8 @@ struct Chain
   vtkNew<vtkRidgeSharpnessFilter> selection;
   vtkNew<vtkPrincipalFoliation> foliation;
   vtkNew<vtkRidgesAndUmbilics> all;
+  vtkNew<vtkMongeSmoothing> smoothing;
+  vtkNew<vtkSalientRidges> salient;
 };
 
 } // namespace
@@ -156,12 +164,16 @@ TEST(Composite, BlocksOfAnotherTypeAreErrorsAndTheOthersAreDone)
   vtkNew<vtkRidgeSharpnessFilter> selection;
   vtkNew<vtkPrincipalFoliation> foliation;
   vtkNew<vtkRidgesAndUmbilics> all;
+  vtkNew<vtkMongeSmoothing> smoothing;
+  vtkNew<vtkSalientRidges> salient;
   expectError(jets, EllipsoidData(8));
   expectError(umbilics, alone.jets->GetOutput());
   expectError(ridges, alone.umbilics->GetOutput());
   expectError(selection, alone.ridges->GetOutput());
   expectError(foliation, alone.umbilics->GetOutput());
   expectError(all, EllipsoidData(8));
+  expectError(smoothing, alone.jets->GetOutput());
+  expectError(salient, EllipsoidData(8));
 }
 
 TEST(Composite, CoherenceIsATablePerBlock)

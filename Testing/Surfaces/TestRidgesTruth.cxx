@@ -93,10 +93,10 @@ INSTANTIATE_TEST_SUITE_P(OfEachKind, RidgesTruth,
     Case{ "blend", 10000, 11, 0, 0, 0.3 }, Case{ "sphere", 30000, 18, 2, 0, 0.1 },
     Case{ "torus", 10000, 13, 0, 0, 0.46 }, Case{ "double torus", 10000, 38, 2, 0, 1.2 },
     Case{ "blob", 10000, 15, 1, 0, 0.1 }, Case{ "metaballs", 10000, 10, 0, 0, 0.15 }),
-  [](const ::testing::TestParamInfo<Case>& info)
+  [](const ::testing::TestParamInfo<Case>& instance)
   {
     std::string name;
-    for (const char* c = info.param.surface; *c != 0; ++c)
+    for (const char* c = instance.param.surface; *c != 0; ++c)
     {
       name += *c == ' ' ? '_' : *c;
     }
