@@ -7,6 +7,7 @@
 #include "vtkRidgesArrayNames.h"
 #include "vtkRidgesCheckText.h"
 #include "vtkRidgesCompatibility.h"
+#include "vtkRidgesMonitor.h"
 #include "vtkRidgesPictureInput.h"
 #include "vtkRidgesRequest.h"
 
@@ -147,17 +148,13 @@ std::string Check(
     return faults;
   }
   const double fetched = from + 0.2 * (to - from);
-  const auto goesOn = [filter, fetched, to](double done)
-  {
-    filter->UpdateProgress(fetched + (to - fetched) * done);
-    return !vtkRidgesCompatibility::IsAborted(filter);
-  };
-  if (!goesOn(0.0))
+  const ridges::Monitor monitor = vtkRidgesMonitor(filter, fetched, to);
+  if (!monitor(0.0))
   {
     return {};
   }
   const std::vector<ridges::CoherenceCheck> checks =
-    ridges::CheckCoherence(input.GetPicture(), filter->GetRightAngleCosine(), goesOn);
+    ridges::CheckCoherence(input.GetPicture(), filter->GetRightAngleCosine(), monitor);
   if (!checks.empty())
   {
     Store(checks, input.GetPicture(), input.GetMesh(), output);

@@ -11,6 +11,7 @@
 #include "vtkRidgesCollect.h"
 #include "vtkRidgesGhosts.h"
 #include "vtkRidgesMongeInput.h"
+#include "vtkRidgesMonitor.h"
 #include "vtkRidgesPolylines.h"
 #include "vtkRidgesRequest.h"
 #include "vtkRidgesSearch.h"
@@ -157,18 +158,16 @@ int vtkRidgeExtraction::RequestData(
   std::vector<ridges::RidgeTrace> blue;
   std::vector<ridges::RidgeTrace> red;
   const bool finished = ((!gaussian && !this->ExtractMaximum) ||
-                          search.Find(this, ridges::Color::Blue, 0.1, 0.55, blue)) &&
-    (gaussian || !this->ExtractMinimum || search.Find(this, ridges::Color::Red, 0.55, 1.0, red));
+                          search.Find(this, ridges::Color::Blue, 0.1, 0.5, blue)) &&
+    (gaussian || !this->ExtractMinimum || search.Find(this, ridges::Color::Red, 0.5, 0.9, red));
   if (!finished)
   {
     return 1;
   }
-  for (const auto* found : { &blue, &red })
+  if (!lines.AddRidges(blue, vtkRidgesMonitor(this, 0.9, 0.95)) ||
+    !lines.AddRidges(red, vtkRidgesMonitor(this, 0.95, 1.0)))
   {
-    for (const ridges::RidgeTrace& ridge : *found)
-    {
-      lines.AddRidge(ridge);
-    }
+    return 1;
   }
   lines.Store(output, field.HasFourthOrder());
   if (this->FindPurplePoints && !gaussian)

@@ -8,6 +8,8 @@
 #include "vtkRidgesGhosts.h"
 #include "vtkRidgesIndexSearch.h"
 #include "vtkRidgesMongeInput.h"
+#include "vtkRidgesMonitor.h"
+#include "vtkRidgesPerThread.h"
 #include "vtkRidgesRequest.h"
 #include "vtkRidgesUmbilicOutput.h"
 
@@ -17,6 +19,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -43,25 +46,20 @@ bool FindByIndices(
 {
   const ridges::TriangleMesh& mesh = monge.mesh.GetTriangles();
   vtkRidgesIndexSearch search(mesh, monge, filter->GetSignificance());
-  if (!search.Run(filter, false, 0.1, 0.6))
+  if (!search.Run(filter, false, 0.1, 0.5))
   {
     return false;
   }
   if (search.HalfTurns() == 2 * found.eulerCharacteristic || !IsClosed(mesh))
   {
-    search.Gather(filter->GetPatchSize(), found);
-    return true;
+    return search.Gather(filter, filter->GetPatchSize(), 0.5, 1.0, found);
   }
   // The theorem is about oriented surfaces, and the test that spares most triangles is a rule of
   // thumb.
   const ridges::TriangleMesh oriented = mesh.ConsistentlyOriented();
   vtkRidgesIndexSearch certain(oriented, monge, filter->GetSignificance());
-  if (!certain.Run(filter, true, 0.6, 0.9))
-  {
-    return false;
-  }
-  certain.Gather(filter->GetPatchSize(), found);
-  return true;
+  return certain.Run(filter, true, 0.5, 0.7) &&
+    certain.Gather(filter, filter->GetPatchSize(), 0.7, 1.0, found);
 }
 
 /// By the minima of k1 - k2. False if the user aborted the filter.
@@ -79,19 +77,35 @@ bool FindMinima(
         ridges::MinimizesGapInOneRing(mesh, field, static_cast<ridges::Id>(t)) ? 1 : 0;
     }
   };
-  if (!vtkRidgesForBatches(filter, mesh.NumberOfTriangles(), 0.1, 0.9, compareWithNeighbors))
+  if (!vtkRidgesForBatches(filter, mesh.NumberOfTriangles(), 0.1, 0.4, compareWithNeighbors))
   {
     return false;
   }
   std::vector<ridges::Id> candidates = vtkRidgesWhere(
     mesh.NumberOfTriangles(), [&isSmallest](ridges::Id t) { return isSmallest[t] != 0; });
-  // Few are left, so that their patches can be grown on one thread.
-  ridges::GapMinima minima(mesh, field, filter->GetPatchSize());
+  const double patchSize = filter->GetPatchSize();
+  vtkRidgesPerThread<ridges::GapMinima> perThread;
+  const auto compareInPatch = [&mesh, &field, &isSmallest, &candidates, &perThread, patchSize](
+                                vtkIdType begin, vtkIdType end)
+  {
+    ridges::GapMinima& minima = perThread.Get([&mesh, &field, patchSize]
+      { return std::make_shared<ridges::GapMinima>(mesh, field, patchSize); });
+    for (vtkIdType i = begin; i < end; ++i)
+    {
+      isSmallest[candidates[i]] = minima.Minimizes(candidates[i]) ? 1 : 0;
+    }
+  };
+  if (!vtkRidgesForBatches(
+        filter, static_cast<vtkIdType>(candidates.size()), 0.4, 0.7, compareInPatch, 1 << 14))
+  {
+    return false;
+  }
   candidates.erase(std::remove_if(candidates.begin(), candidates.end(),
-                     [&minima](ridges::Id t) { return !minima.Minimizes(t); }),
+                     [&isSmallest](ridges::Id t) { return isSmallest[t] == 0; }),
     candidates.end());
-  found.umbilics = minima.Select(std::move(candidates));
-  return true;
+  found.umbilics = ridges::GapMinima(mesh, field, patchSize)
+                     .Select(std::move(candidates), vtkRidgesMonitor(filter, 0.7, 1.0));
+  return !vtkRidgesCompatibility::IsAborted(filter);
 }
 
 } // namespace

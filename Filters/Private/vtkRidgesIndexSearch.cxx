@@ -11,13 +11,15 @@
 #include "vtkRidgesBatches.h"
 #include "vtkRidgesCollect.h"
 #include "vtkRidgesMongeInput.h"
+#include "vtkRidgesMonitor.h"
+#include "vtkRidgesPerThread.h"
 #include "vtkRidgesRangeLoop.h"
 #include "vtkRidgesUmbilicOutput.h"
 
 #include "vtkPolyData.h"
-#include "vtkSMPThreadLocal.h"
 
 #include <algorithm>
+#include <memory>
 #include <utility>
 
 namespace
@@ -75,7 +77,8 @@ struct LookAtTriangles
 
   void operator()(vtkIdType begin, vtkIdType end)
   {
-    ridges::DirectionFans::Memory& fans = this->memory.Local();
+    ridges::DirectionFans::Memory& fans =
+      this->perThread.Get([] { return std::make_shared<ridges::DirectionFans::Memory>(); });
     for (auto t = static_cast<ridges::Id>(begin); t < static_cast<ridges::Id>(end); ++t)
     {
       if (!this->index.IsUsable(t))
@@ -111,7 +114,7 @@ struct LookAtTriangles
   bool all = false; ///< Whether to trust no cheap test.
   std::vector<std::int8_t> halfTurns;
   std::vector<std::uint8_t> isWeak;
-  vtkSMPThreadLocal<ridges::DirectionFans::Memory> memory;
+  vtkRidgesPerThread<ridges::DirectionFans::Memory> perThread;
 };
 
 /// By that of their triangles which comes first: an order that the numbering has no part in.
@@ -172,13 +175,24 @@ int vtkRidgesIndexSearch::HalfTurns() const
   return ridges::SumOf(this->Charges);
 }
 
-void vtkRidgesIndexSearch::Gather(double patchSize, vtkRidgesUmbilicOutput& found)
+bool vtkRidgesIndexSearch::Gather(
+  vtkAlgorithm* filter, double patchSize, double from, double to, vtkRidgesUmbilicOutput& found)
 {
   ridges::SpreadLargeCharges(this->Mesh, this->Charges);
+  const double middle = 0.5 * (from + to);
   ridges::UmbilicGathering gathering(this->Mesh, this->Monge.arrays.GetField(), this->Charges,
-    this->IsWeak, this->Usable, vtkRidgesRangeLoop);
-  found.umbilics = gathering.Umbilics(patchSize, vtkRidgesRangeLoop);
+    this->IsWeak, this->Usable, vtkRidgesRangeLoop, vtkRidgesMonitor(filter, from, middle));
+  if (vtkRidgesCompatibility::IsAborted(filter))
+  {
+    return false;
+  }
+  found.umbilics = gathering.Umbilics(patchSize, vtkRidgesAbortableLoop(filter, middle, to));
+  if (vtkRidgesCompatibility::IsAborted(filter))
+  {
+    return false;
+  }
   found.cancelled = gathering.CancelledRegions();
   found.zones = ridges::WeakZones(this->Mesh, this->IsWeak);
   SortByPosition(this->Mesh, found.zones);
+  return true;
 }

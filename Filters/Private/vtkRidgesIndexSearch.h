@@ -34,8 +34,9 @@ public:
   /// Twice the sum of the indices.
   int HalfTurns() const;
 
-  /// The umbilics, once the indices are known.
-  void Gather(double patchSize, vtkRidgesUmbilicOutput& found);
+  /// The umbilics, once the indices are known. False if the user aborted the filter.
+  bool Gather(
+    vtkAlgorithm* filter, double patchSize, double from, double to, vtkRidgesUmbilicOutput& found);
 
 private:
   const ridges::TriangleMesh& Mesh;

@@ -82,6 +82,21 @@ vtkRidgesPolylines::vtkRidgesPolylines(const vtkRidgesMesh& mesh,
   this->EdgeParameter->SetName(names::EdgeParameter);
 }
 
+bool vtkRidgesPolylines::AddRidges(
+  const std::vector<ridges::RidgeTrace>& ridges, const ridges::Monitor& monitor)
+{
+  for (std::size_t i = 0; i < ridges.size(); ++i)
+  {
+    constexpr std::size_t between = 1024;
+    if (i % between == 0 && !monitor(static_cast<double>(i) / ridges.size()))
+    {
+      return false;
+    }
+    this->AddRidge(ridges[i]);
+  }
+  return true;
+}
+
 void vtkRidgesPolylines::AddRidge(const ridges::RidgeTrace& ridge)
 {
   std::vector<vtkIdType> ids(ridge.vertices.size(), -1);

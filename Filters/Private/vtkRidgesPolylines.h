@@ -3,6 +3,7 @@
 #ifndef vtkRidgesPolylines_h
 #define vtkRidgesPolylines_h
 
+#include "Core/Base/Monitor.h"
 #include "Core/Ridges/RidgeMeasures.h"
 #include "Core/Ridges/RidgeTrace.h"
 #include "vtkRidgesCompatibility.h"
@@ -36,12 +37,13 @@ public:
 
   void SetCrestOnly(bool crestOnly) { this->CrestOnly = crestOnly; }
 
-  /// The next ridge: its runs of one type become polylines.
-  void AddRidge(const ridges::RidgeTrace& ridge);
+  /// The runs of one type of ridges become polylines. False if the monitor stopped it.
+  bool AddRidges(const std::vector<ridges::RidgeTrace>& ridges, const ridges::Monitor& monitor);
 
   void Store(vtkPolyData* output, bool hasFourthOrder);
 
 private:
+  void AddRidge(const ridges::RidgeTrace& ridge);
   std::vector<ridges::RidgeRun> OwnedRunsOf(const ridges::RidgeTrace& ridge) const;
   vtkIdType InsertVertex(const ridges::RidgeVertex& vertex);
 

@@ -3,7 +3,8 @@
 #ifndef vtkRidgesRangeLoop_h
 #define vtkRidgesRangeLoop_h
 
-#include "Core/Mesh/TriangleMesh.h"
+#include "Core/Base/Types.h"
+#include "vtkRidgesBatches.h"
 
 #include "vtkSMPTools.h"
 
@@ -16,6 +17,27 @@ inline void vtkRidgesRangeLoop(
   const auto run = [&body](vtkIdType begin, vtkIdType end)
   { body(static_cast<ridges::Id>(begin), static_cast<ridges::Id>(end)); };
   vtkSMPTools::For(0, count, run);
+}
+
+/// The same, but reporting progress; after the user has asked the filter to abort it leaves out all
+/// that is not done yet. Each of several loops gets half of the progress that is left.
+inline ridges::RangeLoop vtkRidgesAbortableLoop(vtkAlgorithm* filter, double from, double to)
+{
+  return [filter, from, to](
+           ridges::Id count, const std::function<void(ridges::Id, ridges::Id)>& body) mutable
+  {
+    const auto run = [&body](vtkIdType begin, vtkIdType end)
+    { body(static_cast<ridges::Id>(begin), static_cast<ridges::Id>(end)); };
+    constexpr vtkIdType leastBatch = 256;
+    constexpr vtkIdType numberOfBatches = 16;
+    const double middle = 0.5 * (from + to);
+    if (!vtkRidgesCompatibility::IsAborted(filter))
+    {
+      vtkRidgesForBatches(
+        filter, count, from, middle, run, std::max(leastBatch, count / numberOfBatches));
+    }
+    from = middle;
+  };
 }
 
 #endif

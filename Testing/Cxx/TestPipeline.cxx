@@ -18,6 +18,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -76,22 +77,32 @@ private:
   std::string Backend;
 };
 
-std::vector<double> ProgressOf(vtkAlgorithm* algorithm)
+/// What an algorithm reports; aborted at an event, if wanted.
+std::vector<double> ProgressOf(vtkAlgorithm* algorithm, std::size_t abortAt = 1000000)
 {
-  std::vector<double> reported;
+  struct Record
+  {
+    std::vector<double> reported;
+    std::size_t abortAt;
+  } record{ {}, abortAt };
   vtkNew<vtkCallbackCommand> command;
-  command->SetClientData(&reported);
+  command->SetClientData(&record);
   command->SetCallback(
     [](vtkObject* caller, unsigned long, void* data, void*)
     {
-      static_cast<std::vector<double>*>(data)->push_back(
-        static_cast<vtkAlgorithm*>(caller)->GetProgress());
+      auto* seen = static_cast<Record*>(data);
+      auto* reporting = static_cast<vtkAlgorithm*>(caller);
+      if (seen->reported.size() == seen->abortAt)
+      {
+        reporting->SetAbortExecute(1);
+      }
+      seen->reported.push_back(reporting->GetProgress());
     });
   const unsigned long tag = algorithm->AddObserver(vtkCommand::ProgressEvent, command);
   algorithm->Modified();
   algorithm->Update();
   algorithm->RemoveObserver(tag);
-  return reported;
+  return record.reported;
 }
 
 /// Aborts the algorithm at its first progress event.
@@ -250,6 +261,38 @@ TEST(Pipeline, AbortGivesEmptyOutputAndTheNextRunIsComplete)
     }
     filter->Modified();
     EXPECT_TRUE(chain.Bytes() == whole) << filter->GetClassName();
+  }
+}
+
+// Noise: there are pairs to cancel, many umbilics and many ridges.
+TEST(Pipeline, AbortAtAnyProgressStopsAtOnceAndGivesEmptyOutput)
+{
+  const auto mesh = ToPolyData(AddNormalNoise(EllipsoidMesh(24, 1.0, 0.8, 0.6), 0.01, 3));
+  Chain chain;
+  chain.jets->SetInputData(mesh);
+  chain.sharpness->Update();
+  vtkNew<vtkUmbilicDetection> minima;
+  minima->SetMethodToMinima();
+  minima->SetInputConnection(chain.jets->GetOutputPort());
+  for (vtkPolyDataAlgorithm* filter :
+    std::array<vtkPolyDataAlgorithm*, 4>{ chain.jets, chain.umbilics, minima, chain.ridges })
+  {
+    const std::vector<double> whole = ProgressOf(filter);
+    // The first event and the last are those of the pipeline, before and after the filter.
+    ASSERT_GT(whole.size(), 3u) << filter->GetClassName();
+    for (std::size_t i = 1; i + 1 < whole.size(); ++i)
+    {
+      const std::vector<double> reported = ProgressOf(filter, i);
+      EXPECT_LE(reported.size(), i + 2) << filter->GetClassName() << " at " << whole[i];
+      for (int port = 0; port < filter->GetNumberOfOutputPorts(); ++port)
+      {
+        EXPECT_TRUE(IsEmpty(filter->GetOutput(port))) << filter->GetClassName() << " " << whole[i];
+      }
+      filter->SetAbortExecute(0);
+    }
+    filter->Modified();
+    filter->Update();
+    EXPECT_FALSE(IsEmpty(filter->GetOutput()));
   }
 }
 

@@ -18,7 +18,7 @@ namespace ridges
 // ridges (2.2d and hypothesis 3), to be found by subdivision.
 
 std::vector<CoherenceCheck> CheckCoherence(
-  const RidgePicture& picture, double leastCosine, const std::function<bool(double done)>& goesOn)
+  const RidgePicture& picture, double leastCosine, const Monitor& monitor)
 {
   std::vector<WholeRidge> ridges;
   const std::function<CoherenceCheck()> checks[] = {
@@ -42,7 +42,7 @@ std::vector<CoherenceCheck> CheckCoherence(
   std::vector<CoherenceCheck> results;
   for (const std::function<CoherenceCheck()>& check : checks)
   {
-    if (goesOn && !goesOn((1.0 + static_cast<double>(results.size())) / steps))
+    if (!monitor((1.0 + static_cast<double>(results.size())) / steps))
     {
       return {};
     }

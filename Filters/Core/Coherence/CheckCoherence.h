@@ -3,18 +3,19 @@
 #ifndef ridges_CheckCoherence_h
 #define ridges_CheckCoherence_h
 
+#include "Base/Monitor.h"
 #include "Coherence/CoherenceCheck.h"
 #include "Coherence/RidgePicture.h"
 
-#include <functional>
+#include <vector>
 
 namespace ridges
 {
 
-/// All checks of coherence, in the order in which a reader wants them. Before each, `goesOn`, if
-/// given, is called with the fraction that is done; if it returns false there are no results.
-std::vector<CoherenceCheck> CheckCoherence(const RidgePicture& picture, double leastCosine,
-  const std::function<bool(double done)>& goesOn = {});
+/// All checks of coherence, in the order in which a reader wants them; none if the monitor, which
+/// is called before each, stops them.
+std::vector<CoherenceCheck> CheckCoherence(
+  const RidgePicture& picture, double leastCosine, const Monitor& monitor = NeverStops);
 
 } // namespace ridges
 

@@ -3,10 +3,10 @@
 #ifndef ridges_PrincipalFoliation_h
 #define ridges_PrincipalFoliation_h
 
+#include "Base/Monitor.h"
 #include "Foliation/SurfaceWalk.h"
 #include "Foliation/TracedSegments.h"
 
-#include <functional>
 #include <vector>
 
 namespace ridges
@@ -56,11 +56,8 @@ public:
   PrincipalFoliation(const PrincipalFoliation&) = delete;
   PrincipalFoliation& operator=(const PrincipalFoliation&) = delete;
 
-  /// Told the fraction of the surface that is done, from time to time; false from it stops all.
-  using Monitor = std::function<bool(double)>;
-
-  /// False where the monitor stopped it.
-  bool Trace(const Monitor& monitor = [](double) { return true; });
+  /// False if the monitor stopped it, which gets the fraction of the surface that is covered.
+  bool Trace(const Monitor& monitor = NeverStops);
 
   const std::vector<CurvatureLine>& Lines() const { return this->Lines_; }
 

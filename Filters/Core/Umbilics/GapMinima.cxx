@@ -116,7 +116,7 @@ Id GapMinima::NearestSingularTriangle(Span<Id> patch) const
   return nearest;
 }
 
-std::vector<Umbilic> GapMinima::Select(std::vector<Id> candidates)
+std::vector<Umbilic> GapMinima::Select(std::vector<Id> candidates, const Monitor& monitor)
 {
   std::sort(candidates.begin(), candidates.end(),
     [this](Id s, Id t)
@@ -128,8 +128,14 @@ std::vector<Umbilic> GapMinima::Select(std::vector<Id> candidates)
 
   std::vector<Umbilic> umbilics;
   std::vector<bool> taken(this->Mesh_.NumberOfTriangles(), false);
-  for (const Id t : candidates)
+  for (std::size_t i = 0; i < candidates.size(); ++i)
   {
+    constexpr std::size_t between = 1024;
+    if (i % between == 0 && !monitor(static_cast<double>(i) / candidates.size()))
+    {
+      return {};
+    }
+    const Id t = candidates[i];
     const Span<Id> patch = this->Patch_.Grow(t, this->PatchSize_);
     if (std::any_of(patch.begin(), patch.end(), [&taken](Id s) { return taken[s]; }))
     {

@@ -3,6 +3,7 @@
 #ifndef ridges_GapMinima_h
 #define ridges_GapMinima_h
 
+#include "Base/Monitor.h"
 #include "Umbilics/Umbilic.h"
 #include "Umbilics/UmbilicPatch.h"
 
@@ -38,8 +39,8 @@ public:
   /// Whether the triangle is a candidate; the costly part, one call per triangle.
   bool Minimizes(Id triangle);
 
-  /// The umbilics among candidate triangles.
-  std::vector<Umbilic> Select(std::vector<Id> candidates);
+  /// The umbilics among candidate triangles; none if the monitor stops it.
+  std::vector<Umbilic> Select(std::vector<Id> candidates, const Monitor& monitor = NeverStops);
 
 private:
   /// The singular triangle of a patch nearest to its first triangle, or that one if there is none.

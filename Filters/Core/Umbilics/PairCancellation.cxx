@@ -54,7 +54,8 @@ public:
   Growth(const TriangleMesh& mesh, const std::vector<IndexCharge>& charges,
     const std::vector<std::uint8_t>& isWeak, const RangeLoop& loop);
 
-  void Run();
+  /// False if the monitor stopped it.
+  bool Run(const Monitor& monitor);
 
   bool IsActive(Id charge) const { return this->IsActive_[charge] != 0; }
 
@@ -148,8 +149,9 @@ Growth::Growth(const TriangleMesh& mesh, const std::vector<IndexCharge>& charges
   }
 }
 
-void Growth::Run()
+bool Growth::Run(const Monitor& monitor)
 {
+  const double all = this->Left_[0] + this->Left_[1];
   this->Front_.resize(2);
   this->Meetings_.resize(2);
   for (std::size_t i = 0; i < this->Charges_.size(); ++i)
@@ -170,9 +172,15 @@ void Growth::Run()
     }
     if (this->Left_[0] == 0 || this->Left_[1] == 0)
     {
-      return;
+      return true;
+    }
+    // Nobody knows how many will be left.
+    if (!monitor(1.0 - (this->Left_[0] + this->Left_[1]) / all))
+    {
+      return false;
     }
   }
+  return true;
 }
 
 void Growth::GrowTo(std::size_t steps)
@@ -437,7 +445,7 @@ void Growth::CollectRegions(Cancellation& result)
 } // namespace
 
 Cancellation CancelPairs(const TriangleMesh& mesh, std::vector<IndexCharge> charges,
-  const std::vector<std::uint8_t>& isWeak, const RangeLoop& loop)
+  const std::vector<std::uint8_t>& isWeak, const RangeLoop& loop, const Monitor& monitor)
 {
   SortByPosition(mesh, charges);
   Cancellation result;
@@ -452,7 +460,10 @@ Cancellation CancelPairs(const TriangleMesh& mesh, std::vector<IndexCharge> char
     return result;
   }
   Growth growth(mesh, charges, isWeak, loop);
-  growth.Run();
+  if (!growth.Run(monitor))
+  {
+    return {};
+  }
   growth.CollectRegions(result);
   for (Id i = 0; i < static_cast<Id>(charges.size()); ++i)
   {

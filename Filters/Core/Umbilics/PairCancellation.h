@@ -3,6 +3,7 @@
 #ifndef ridges_PairCancellation_h
 #define ridges_PairCancellation_h
 
+#include "Base/Monitor.h"
 #include "Mesh/TriangleGroups.h"
 #include "Umbilics/IndexCharge.h"
 
@@ -37,7 +38,8 @@ struct Cancellation
  * of triangles, times the logarithm of the length of the longest path.
  */
 Cancellation CancelPairs(const TriangleMesh& mesh, std::vector<IndexCharge> charges,
-  const std::vector<std::uint8_t>& isWeak, const RangeLoop& loop = TriangleMesh::InOneRange);
+  const std::vector<std::uint8_t>& isWeak, const RangeLoop& loop = TriangleMesh::InOneRange,
+  const Monitor& monitor = NeverStops);
 
 } // namespace ridges
 

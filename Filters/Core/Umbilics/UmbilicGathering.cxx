@@ -14,7 +14,7 @@ namespace ridges
 
 UmbilicGathering::UmbilicGathering(const TriangleMesh& mesh, const MongeField& field,
   const std::vector<IndexCharge>& charges, const std::vector<std::uint8_t>& isWeak,
-  const std::uint8_t* usable, const RangeLoop& loop)
+  const std::uint8_t* usable, const RangeLoop& loop, const Monitor& monitor)
   : Mesh_(mesh)
   , Field_(field)
   , Usable_(usable)
@@ -27,7 +27,7 @@ UmbilicGathering::UmbilicGathering(const TriangleMesh& mesh, const MongeField& f
     this->HalfTurns_[charge.triangle] = charge.halfTurns;
     (AreUsable(mesh.Corners(charge.triangle), usable) ? measured : unusable).push_back(charge);
   }
-  this->Cancellation_ = CancelPairs(mesh, std::move(measured), isWeak, loop);
+  this->Cancellation_ = CancelPairs(mesh, std::move(measured), isWeak, loop, monitor);
   std::vector<IndexCharge>& kept = this->Cancellation_.kept;
   kept.insert(kept.end(), unusable.begin(), unusable.end());
 }

@@ -23,10 +23,12 @@ class UmbilicGathering
 {
 public:
   /// `charges` are all triangles with an index, as SpreadLargeCharges leaves them. `usable` holds
-  /// a flag for each point, whether it has directions; null means all have.
+  /// a flag for each point, whether it has directions; null means all have. After the monitor has
+  /// stopped the cancellation, nothing else is of use.
   UmbilicGathering(const TriangleMesh& mesh, const MongeField& field,
     const std::vector<IndexCharge>& charges, const std::vector<std::uint8_t>& isWeak,
-    const std::uint8_t* usable = nullptr, const RangeLoop& loop = TriangleMesh::InOneRange);
+    const std::uint8_t* usable = nullptr, const RangeLoop& loop = TriangleMesh::InOneRange,
+    const Monitor& monitor = NeverStops);
 
   /// Umbilics in the order of x, then y, then z of their triangles; those that stand for triangles
   /// without directions come last. If the loop leaves out ranges, as when a user aborts, the result
