@@ -67,7 +67,8 @@ void vtkRidgesFitPoints::operator()(vtkIdType begin, vtkIdType end)
 void vtkRidgesFitPoints::Take(ridges::Id p, int ringsAdded, Scratch& scratch)
 {
   const auto points = scratch.fitter.Gather(p, ringsAdded);
-  const bool wholeRings = this->Wanted.rule.kind != ridges::NeighborhoodRule::Kind::Radius;
+  const bool wholeRings =
+    this->Wanted.rule.kind != ridges::NeighborhoodRule::Kind::Radius && scratch.fitter.IsInRings();
   if (!this->Kernel || !scratch.batches.Add(p, points, wholeRings))
   {
     this->FitAlone(p, ridges::PointFitter::Growth::Allowed, scratch);

@@ -269,6 +269,8 @@ bool vtkRidgesSearch::Trace(vtkAlgorithm* filter, double from, double to,
   {
     return false;
   }
-  std::sort(found.begin(), found.end(), ridges::ComesBefore);
+  std::sort(found.begin(), found.end(),
+    [](const ridges::RidgeTrace& a, const ridges::RidgeTrace& b)
+    { return ridges::ComesBefore(a, b); });
   return true;
 }

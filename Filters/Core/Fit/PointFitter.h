@@ -47,6 +47,9 @@ public:
   /// The neighbourhood by the rule, and so many rings more, if there are.
   Span<Id> Gather(Id vertex, int ringsAdded = 0);
 
+  /// Whether the points that were gathered last are in the order of the rings.
+  bool IsInRings() const { return this->Neighborhood_.IsInRings(); }
+
   /// Without growth, if it was found to be of no use.
   enum class Growth
   {

@@ -44,10 +44,9 @@ void OrderedRings::Build(Id begin, Id end)
   for (Id p = begin; p < end; ++p)
   {
     Id* ring = this->Rings_.data() + this->Offset(p);
-    if (this->BuildSmallRing(p, ring))
+    if (this->BuildSmallRing(p, ring, this->Kinds_[p]))
     {
       this->Sizes_[p] = static_cast<std::uint8_t>(this->Mesh_.TrianglesAround(p).size());
-      this->Kinds_[p] = Kind::Closed;
     }
     else
     {
@@ -71,7 +70,7 @@ bool OrderedRings::HasIrregular() const
 /// The ring of a point in at most eight triangles that form a closed fan, as nearly all do; false
 /// for any other. Nothing here branches on how the triangles happen to be stored, which no
 /// processor could foresee.
-bool OrderedRings::BuildSmallRing(Id p, Id* ring) const
+bool OrderedRings::BuildSmallRing(Id p, Id* ring, Kind& kind) const
 {
   constexpr Id most = 8;
   const Span<Id> triangles = this->Mesh_.TrianglesAround(p);
@@ -109,9 +108,10 @@ bool OrderedRings::BuildSmallRing(Id p, Id* ring) const
     start = x[i] == least ? i : start;
     leftmost += x[i] == least ? 1 : 0;
   }
+  kind = Kind::Closed;
   if (leftmost > 1)
   {
-    start = this->FirstOf(from.data(), count);
+    start = this->FirstOf(from.data(), count, kind);
   }
   Id i = start;
   bool closed = true;
@@ -188,17 +188,22 @@ OrderedRings::Kind OrderedRings::BuildRing(Id p, Id* ring, std::uint8_t& size) c
     ++size;
     return Kind::Open;
   }
-  const Id start = this->FirstOf(from.data(), count);
+  Kind kind = Kind::Closed;
+  const Id start = this->FirstOf(from.data(), count, kind);
   std::rotate_copy(from.begin(), from.begin() + start, from.begin() + count, ring);
-  return Kind::Closed;
+  return kind;
 }
 
-/// Where the first of some points by position is among them.
-Id OrderedRings::FirstOf(const Id* points, Id size) const
+/// Where the first of some points by position is among them, and whether there is only one.
+Id OrderedRings::FirstOf(const Id* points, Id size, Kind& kind) const
 {
   const auto comesBefore = [this](Id p, Id q)
   { return ComesBefore(this->Mesh_.Point(p), this->Mesh_.Point(q)); };
-  return static_cast<Id>(std::min_element(points, points + size, comesBefore) - points);
+  const Id* first = std::min_element(points, points + size, comesBefore);
+  const auto isThere = [this, first](Id p)
+  { return this->Mesh_.Point(p) == this->Mesh_.Point(*first); };
+  kind = std::count_if(points, points + size, isThere) > 1 ? Kind::ClosedFromAny : Kind::Closed;
+  return static_cast<Id>(first - points);
 }
 
 /// Always the neighbour whose direction is farthest from those of the ones before, the first by

@@ -40,13 +40,14 @@ public:
   }
 
   /// Whether the triangles at p form one fan, open or closed, in one orientation.
-  bool IsRegular(Id p) const
-  {
-    return this->Kinds_[p] == Kind::Closed || this->Kinds_[p] == Kind::Open;
-  }
+  bool IsRegular(Id p) const { return this->Kinds_[p] <= Kind::Open; }
 
   /// Whether they form a closed fan in one orientation.
-  bool IsClosed(Id p) const { return this->Kinds_[p] == Kind::Closed; }
+  bool IsClosed(Id p) const { return this->Kinds_[p] <= Kind::ClosedFromAny; }
+
+  /// Whether two neighbours at one place are both the first: then the start depends on the
+  /// numbering.
+  bool StartsAtAny(Id p) const { return this->Kinds_[p] == Kind::ClosedFromAny; }
 
   /// Whether an edge at p does not have exactly two triangles.
   bool OnBorder(Id p) const
@@ -61,6 +62,7 @@ private:
   enum class Kind : std::uint8_t
   {
     Closed,
+    ClosedFromAny,
     Open,
     Irregular,
     IrregularOnBorder
@@ -68,10 +70,10 @@ private:
 
   /// An open fan has a neighbour more than triangles.
   std::size_t Offset(Id p) const { return static_cast<std::size_t>(this->Mesh_.Offset(p)) + p; }
-  bool BuildSmallRing(Id p, Id* ring) const;
+  bool BuildSmallRing(Id p, Id* ring, Kind& kind) const;
   Kind BuildRing(Id p, Id* ring, std::uint8_t& size) const;
   Kind KindOfIrregular(Id p) const;
-  Id FirstOf(const Id* points, Id size) const;
+  Id FirstOf(const Id* points, Id size, Kind& kind) const;
   Id PickEvenly(Id p, Id* ring) const;
 
   const TriangleMesh& Mesh_;

@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 namespace ridges
@@ -15,18 +16,48 @@ bool ComesBefore(const Eigen::Vector3d& a, const Eigen::Vector3d& b)
   return std::lexicographical_compare(a.data(), a.data() + 3, b.data(), b.data() + 3);
 }
 
+namespace
+{
+
+using Corners = std::array<Eigen::Vector3d, 3>;
+
+bool ComesBefore(const Corners& a, const Corners& b)
+{
+  return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end(),
+    [](const Eigen::Vector3d& p, const Eigen::Vector3d& q) { return ridges::ComesBefore(p, q); });
+}
+
+/// In their order around the triangle, from the first by position.
+Corners CornersInOrder(const TriangleMesh& mesh, Id triangle)
+{
+  const Triangle& c = mesh.Corners(triangle);
+  Corners first = { mesh.Point(c[0]), mesh.Point(c[1]), mesh.Point(c[2]) };
+  Corners turned = first;
+  for (int turn = 1; turn < 3; ++turn)
+  {
+    std::rotate(turned.begin(), turned.begin() + 1, turned.end());
+    first = ComesBefore(turned, first) ? turned : first;
+  }
+  return first;
+}
+
+} // namespace
+
 bool ComesBefore(const TriangleMesh& mesh, Id a, Id b)
 {
-  return ComesBefore(mesh.Centroid(a), mesh.Centroid(b));
+  const Eigen::Vector3d x = mesh.Centroid(a);
+  const Eigen::Vector3d y = mesh.Centroid(b);
+  if (x != y || a == b)
+  {
+    return ComesBefore(x, y);
+  }
+  return ComesBefore(CornersInOrder(mesh, a), CornersInOrder(mesh, b));
 }
 
 Eigen::Vector3d AreaNormalInOrder(const TriangleMesh& mesh, Id triangle)
 {
-  Triangle c = mesh.Corners(triangle);
-  const auto precedes = [&mesh](Id p, Id q) { return ComesBefore(mesh.Point(p), mesh.Point(q)); };
-  std::rotate(c.begin(), std::min_element(c.begin(), c.end(), precedes), c.end());
-  const Eigen::Vector3d along = mesh.Point(c[1]) - mesh.Point(c[0]);
-  return along.cross(mesh.Point(c[2]) - mesh.Point(c[0]));
+  const Corners x = CornersInOrder(mesh, triangle);
+  return (x[1] - x[0]).cross(x[2] - x[0]);
 }
 
 OrderedEdge::OrderedEdge(const TriangleMesh& mesh, Id edge)

@@ -11,7 +11,7 @@ namespace ridges
 /// By x, then y, then z: an order that the numbering has no part in.
 bool ComesBefore(const Eigen::Vector3d& a, const Eigen::Vector3d& b);
 
-/// The same of two triangles, by their centroids.
+/// The same of two triangles, by their centroids, then by their corners.
 bool ComesBefore(const TriangleMesh& mesh, Id a, Id b);
 
 /// The normal of a triangle, as long as twice its area: the same to the last digit whatever corner

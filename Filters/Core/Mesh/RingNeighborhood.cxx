@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Mesh/RingNeighborhood.h"
 
+#include "Mesh/PositionOrder.h"
+
 #include <algorithm>
 #include <type_traits>
 
@@ -71,9 +73,11 @@ bool RingNeighborhood::AddRing(Accept accept)
   const std::uint32_t stamp = this->Stamp_;
   std::uint32_t* stamps = this->Stamps_.data();
   Id count = ringEnd;
+  bool isInRings = this->IsInRings_;
   for (Id i = this->RingBegin_; i < ringEnd; ++i)
   {
     const Id center = this->Points_[i];
+    isInRings = isInRings && !this->Rings_.StartsAtAny(center);
     const Span<Id> ring = this->Rings_.Around(center);
     const Span<Id> neighbors = ring.size() > 0 ? ring : this->NeighborsOfIrregular(center);
     const std::size_t room = static_cast<std::size_t>(count) + neighbors.size();
@@ -93,12 +97,23 @@ bool RingNeighborhood::AddRing(Accept accept)
   }
   this->Count_ = count;
   this->RingBegin_ = ringEnd;
+  this->IsInRings_ = this->IsInRings_ && isInRings;
   return count > ringEnd;
+}
+
+/// By distance from the center, then by position.
+bool RingNeighborhood::ComesBefore(Id center, Id p, Id q) const
+{
+  const auto x = this->Mesh_.Point(p);
+  const auto y = this->Mesh_.Point(q);
+  const double distanceX = (x - this->Mesh_.Point(center)).squaredNorm();
+  const double distanceY = (y - this->Mesh_.Point(center)).squaredNorm();
+  return distanceX != distanceY ? distanceX < distanceY : ridges::ComesBefore(x, y);
 }
 
 Span<Id> RingNeighborhood::NeighborsOfIrregular(Id p)
 {
-  // No fan to follow: by distance, and at one distance by coordinates.
+  // No fan to follow.
   std::vector<Id>& neighbors = this->Irregular_;
   neighbors.clear();
   for (const Id t : this->Mesh_.TrianglesAround(p))
@@ -106,19 +121,29 @@ Span<Id> RingNeighborhood::NeighborsOfIrregular(Id p)
     const Triangle& corners = this->Mesh_.Corners(t);
     neighbors.insert(neighbors.end(), corners.begin(), corners.end());
   }
-  const auto center = this->Mesh_.Point(p);
   std::sort(neighbors.begin(), neighbors.end(),
-    [this, &center](Id q, Id r)
-    {
-      const auto x = this->Mesh_.Point(q);
-      const auto y = this->Mesh_.Point(r);
-      const double distanceX = (x - center).squaredNorm();
-      const double distanceY = (y - center).squaredNorm();
-      return distanceX != distanceY
-        ? distanceX < distanceY
-        : std::lexicographical_compare(x.data(), x.data() + 3, y.data(), y.data() + 3);
-    });
+    [this, p](Id q, Id r) { return q != r && this->ComesBefore(p, q, r); });
+  neighbors.erase(std::unique(neighbors.begin(), neighbors.end()), neighbors.end());
+  for (std::size_t i = 1; i < neighbors.size(); ++i)
+  {
+    const bool shareAPlace = this->Mesh_.Point(neighbors[i]) == this->Mesh_.Point(neighbors[i - 1]);
+    this->IsInRings_ = this->IsInRings_ && !shareAPlace;
+  }
   return { neighbors.data(), neighbors.data() + neighbors.size() };
+}
+
+/// The points that were gathered.
+Span<Id> RingNeighborhood::Result()
+{
+  const Id* points = this->Points_.data();
+  if (this->IsInRings_)
+  {
+    return { points, points + this->Count_ };
+  }
+  this->Sorted_.assign(points, points + this->Count_);
+  std::sort(this->Sorted_.begin() + 1, this->Sorted_.end(),
+    [this](Id p, Id q) { return this->ComesBefore(this->Sorted_.front(), p, q); });
+  return { this->Sorted_.data(), this->Sorted_.data() + this->Count_ };
 }
 
 void RingNeighborhood::Begin(Id vertex)
@@ -137,6 +162,7 @@ void RingNeighborhood::Begin(Id vertex)
   this->Stamps_[vertex] = this->Stamp_;
   this->RingBegin_ = 0;
   this->NumberOfRings_ = 0;
+  this->IsInRings_ = !this->Rings_.StartsAtAny(vertex);
 }
 
 /// The first two rings at once, where all fans are closed and of the usual sizes, and no point is
@@ -223,7 +249,7 @@ Span<Id> RingNeighborhood::Gather(Id vertex, const NeighborhoodRule& rule)
     this->AddTwoRings();
   }
   this->AddRings(rule, All());
-  return { this->Points_.data(), this->Points_.data() + this->Count_ };
+  return this->Result();
 }
 
 Span<Id> RingNeighborhood::Gather(
@@ -231,13 +257,13 @@ Span<Id> RingNeighborhood::Gather(
 {
   this->Begin(vertex);
   this->AddRings(rule, [&isAccepted](Id p) { return isAccepted(p); });
-  return { this->Points_.data(), this->Points_.data() + this->Count_ };
+  return this->Result();
 }
 
 Span<Id> RingNeighborhood::Grow()
 {
   this->NumberOfRings_ += this->AddRing(All()) ? 1 : 0;
-  return { this->Points_.data(), this->Points_.data() + this->Count_ };
+  return this->Result();
 }
 
 } // namespace ridges

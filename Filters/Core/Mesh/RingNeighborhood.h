@@ -54,6 +54,11 @@ public:
   /// Number of rings that the last call completed (0 for a radius).
   int NumberOfRings() const { return this->NumberOfRings_; }
 
+  /// Whether the last call gave the vertex and then its ring in order, as OrderedRings has it.
+  /// Where points share a place, so that the order of rings would depend on the numbering, it gave
+  /// all points by distance.
+  bool IsInRings() const { return this->IsInRings_; }
+
 private:
   void Begin(Id vertex);
   template <typename Accept>
@@ -62,6 +67,8 @@ private:
   template <typename Accept>
   bool AddRing(Accept accept);
   Span<Id> NeighborsOfIrregular(Id p);
+  bool ComesBefore(Id center, Id p, Id q) const;
+  Span<Id> Result();
 
   const TriangleMesh& Mesh_;
   const OrderedRings& Rings_;
@@ -71,7 +78,9 @@ private:
   Id Count_ = 0;
   Id RingBegin_ = 0;
   int NumberOfRings_ = 0;
+  bool IsInRings_ = true;
   std::vector<Id> Irregular_; ///< Neighbours of the irregular point visited last.
+  std::vector<Id> Sorted_;
 };
 
 } // namespace ridges

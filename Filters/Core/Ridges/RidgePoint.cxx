@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Ridges/RidgePoint.h"
 
-#include "Mesh/PositionOrder.h"
 #include "Monge/AcuteRule.h"
+#include "Monge/FieldOrder.h"
 #include "Monge/MongeInterpolation.h"
 #include "Umbilics/UmbilicForm.h"
 
@@ -70,7 +70,7 @@ RidgePoint Interpolate(const TriangleMesh& mesh, const MongeField& field, Color 
 RidgePoint RidgePointOnEdge(
   const TriangleMesh& mesh, const MongeField& field, Color color, CrossingRule rule, Id edge)
 {
-  const OrderedEdge ends(mesh, edge);
+  const OrderedEdge ends = EndsInOrder(mesh, field, edge);
   const MongeInterpolation interpolation(field, ends.p, ends.q);
   const double atP = field.Extremality(color, ends.p);
   const double atQ = field.Extremality(color, ends.q);
@@ -82,7 +82,7 @@ RidgePoint RidgePointOnEdge(
 RidgePoint RidgePointAt(
   const TriangleMesh& mesh, const MongeField& field, Color color, Id edge, double parameter)
 {
-  const OrderedEdge ends(mesh, edge);
+  const OrderedEdge ends = EndsInOrder(mesh, field, edge);
   const MongeInterpolation interpolation(field, ends.p, ends.q);
   return Interpolate(mesh, field, color, ends, interpolation, parameter);
 }
@@ -90,7 +90,7 @@ RidgePoint RidgePointAt(
 RidgePoint RidgePointAtUmbilic(const TriangleMesh& mesh, const MongeField& field, Id triangle,
   const Eigen::Vector3d& position, const RidgePoint& next)
 {
-  const Triangle corners = CornersInOrder(mesh, triangle);
+  const Triangle corners = CornersInOrder(mesh, field, triangle);
   const Eigen::Vector3d weights = UmbilicWeights(mesh, field, triangle);
   RidgePoint point = next;
   point.parameter = 0.0;

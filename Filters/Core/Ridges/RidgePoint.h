@@ -26,7 +26,7 @@ struct RidgePoint
 RidgePoint RidgePointOnEdge(
   const TriangleMesh& mesh, const MongeField& field, Color color, CrossingRule rule, Id edge);
 
-/// A point on an edge, at this fraction of the way from that end which comes first by position.
+/// A point on an edge, at this fraction of the way from the first of EndsInOrder.
 RidgePoint RidgePointAt(
   const TriangleMesh& mesh, const MongeField& field, Color color, Id edge, double parameter);
 

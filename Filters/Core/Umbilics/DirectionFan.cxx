@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Umbilics/DirectionFan.h"
 
-#include "Mesh/PositionOrder.h"
+#include "Monge/FieldOrder.h"
 
 #include <Eigen/Geometry>
 
@@ -22,6 +22,14 @@ constexpr Id LargestSmallFan = 32;
 
 } // namespace
 
+// Points that nothing distinguishes are ordered by their numbers, as all triangles of a fan must
+// agree.
+bool DirectionFans::IsFirst(Id p, Id q) const
+{
+  return ComesBefore(this->Mesh_, this->Field_, p, q) ||
+    (!ComesBefore(this->Mesh_, this->Field_, q, p) && p < q);
+}
+
 // A closed fan begins where its first spoke ends at the point that comes first by position, so that
 // not even round-off depends on the triangle asked for.
 FanExtent DirectionFans::GatherFromFirst(FanCorner corner, std::vector<FanCorner>& fan) const
@@ -33,9 +41,7 @@ FanExtent DirectionFans::GatherFromFirst(FanCorner corner, std::vector<FanCorner
     {
       const Id p = this->Mesh_.Corners(a.triangle)[(a.corner + 1) % 3];
       const Id q = this->Mesh_.Corners(b.triangle)[(b.corner + 1) % 3];
-      const auto x = this->Mesh_.Point(p);
-      const auto y = this->Mesh_.Point(q);
-      return ComesBefore(x, y) || (!ComesBefore(y, x) && p < q);
+      return this->IsFirst(p, q);
     };
     const auto end = fan.begin() + extent.size;
     std::rotate(fan.begin(), std::min_element(fan.begin(), end, comesBefore), end);
@@ -135,10 +141,7 @@ double DirectionFans::AngleOfD1(Id point, const std::vector<Spoke>& spokes, FanE
   {
     const bool aHasAngle = projected(a) != 0.0;
     const bool bHasAngle = projected(b) != 0.0;
-    const auto x = this->Mesh_.Point(a.end);
-    const auto y = this->Mesh_.Point(b.end);
-    return aHasAngle != bHasAngle ? aHasAngle
-                                  : ComesBefore(x, y) || (!ComesBefore(y, x) && a.end < b.end);
+    return aHasAngle != bHasAngle ? aHasAngle : this->IsFirst(a.end, b.end);
   };
   const auto end = spokes.begin() + extent.size + (extent.closed ? 0 : 1);
   std::complex<double> sum = 0.0;

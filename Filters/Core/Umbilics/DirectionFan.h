@@ -54,6 +54,7 @@ private:
   void GatherSpokes(const std::vector<FanCorner>& fan, Id size, std::vector<Spoke>& spokes) const;
   static void MeasureAngles(std::vector<Spoke>& spokes, FanExtent extent);
   double SideOf(Id point, const std::vector<Spoke>& spokes, Id size) const;
+  bool IsFirst(Id p, Id q) const;
   double AngleOfD1(Id point, const std::vector<Spoke>& spokes, FanExtent extent) const;
 
   const TriangleMesh& Mesh_;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Umbilics/UmbilicForm.h"
 
-#include "Mesh/PositionOrder.h"
+#include "Monge/FieldOrder.h"
 
 #include <Eigen/Geometry>
 
@@ -95,11 +95,11 @@ Eigen::Vector3d NormalOf(const TriangleMesh& mesh, const MongeField& field, cons
 
 } // namespace
 
-Triangle CornersInOrder(const TriangleMesh& mesh, Id triangle)
+Triangle CornersInOrder(const TriangleMesh& mesh, const MongeField& field, Id triangle)
 {
   Triangle corners = mesh.Corners(triangle);
   const auto first = std::min_element(corners.begin(), corners.end(),
-    [&mesh](Id p, Id q) { return ComesBefore(mesh.Point(p), mesh.Point(q)); });
+    [&mesh, &field](Id p, Id q) { return ComesBefore(mesh, field, p, q); });
   std::rotate(corners.begin(), first, corners.end());
   return corners;
 }
@@ -130,7 +130,7 @@ Eigen::Matrix<double, 2, 3> TracelessForms(
 
 Eigen::Vector3d UmbilicWeights(const TriangleMesh& mesh, const MongeField& field, Id triangle)
 {
-  const auto forms = TracelessForms(mesh, field, CornersInOrder(mesh, triangle));
+  const auto forms = TracelessForms(mesh, field, CornersInOrder(mesh, field, triangle));
   const double magnitude = forms.cwiseAbs().maxCoeff();
   if (!(magnitude > 0.0) || !std::isfinite(magnitude))
   {
@@ -141,7 +141,7 @@ Eigen::Vector3d UmbilicWeights(const TriangleMesh& mesh, const MongeField& field
 
 Eigen::Vector3d UmbilicInTriangle(const TriangleMesh& mesh, const MongeField& field, Id triangle)
 {
-  const Triangle corners = CornersInOrder(mesh, triangle);
+  const Triangle corners = CornersInOrder(mesh, field, triangle);
   const Eigen::Vector3d weights = UmbilicWeights(mesh, field, triangle);
   return weights[0] * mesh.Point(corners[0]) + weights[1] * mesh.Point(corners[1]) +
     weights[2] * mesh.Point(corners[2]);
@@ -150,7 +150,7 @@ Eigen::Vector3d UmbilicInTriangle(const TriangleMesh& mesh, const MongeField& fi
 SymmetricTensor<3> CubicFormAt(
   const TriangleMesh& mesh, const MongeField& field, Id triangle, const Eigen::Vector3d& weights)
 {
-  const Triangle corners = CornersInOrder(mesh, triangle);
+  const Triangle corners = CornersInOrder(mesh, field, triangle);
   const Eigen::Vector3d normal = NormalOf(mesh, field, corners);
   const Eigen::Vector3d e1 = normal.unitOrthogonal();
   const Eigen::Vector3d e2 = normal.cross(e1);

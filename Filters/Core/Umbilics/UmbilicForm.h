@@ -10,9 +10,9 @@
 namespace ridges
 {
 
-/// The corners of a triangle from that which comes first by position: what is computed from them in
-/// this order does not depend on the numbering.
-Triangle CornersInOrder(const TriangleMesh& mesh, Id triangle);
+/// The corners of a triangle from that which comes first (FieldOrder.h): what is computed from them
+/// in this order does not depend on the numbering.
+Triangle CornersInOrder(const TriangleMesh& mesh, const MongeField& field, Id triangle);
 
 /**
  * The traceless part of the second fundamental form at the corners of a triangle, in one frame of

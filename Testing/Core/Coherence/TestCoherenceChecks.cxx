@@ -432,7 +432,7 @@ TEST(PatchPaths, DoNotCross)
         line.push_back(grid.OnEdge(edge.v0, edge.v1, crossing.parameter));
       }
     };
-    PatchPaths paths(mesh, contour);
+    PatchPaths paths(mesh, MongeField(), contour);
     std::vector<Eigen::Vector3d> starts;
     std::vector<std::vector<Id>> lines;
     for (const std::size_t side : sides)

@@ -325,6 +325,39 @@ TEST(RingNeighborhood, HasOneOrderForAnyNumbering)
 }
 
 //------------------------------------------------------------------------------
+TEST(RingNeighborhood, HasOneOrderOfPlacesForAnyNumbering)
+{
+  // So coarsely rounded that many points share a place: which of them comes first cannot be known.
+  Mesh mesh = Icosphere(8);
+  for (double& x : mesh.points)
+  {
+    x = 0.25 * std::round(4.0 * x);
+  }
+  std::vector<std::int32_t> newToOld;
+  const MeshedSurface before(mesh);
+  const MeshedSurface after(Permute(mesh, 17, &newToOld));
+  const OrderedRings ringsBefore = RingsOf(before.Triangles());
+  const OrderedRings ringsAfter = RingsOf(after.Triangles());
+  RingNeighborhood ofBefore(before.Triangles(), ringsBefore);
+  RingNeighborhood ofAfter(after.Triangles(), ringsAfter);
+  int sorted = 0;
+  for (Id p = 0; p < after.Triangles().NumberOfPoints(); ++p)
+  {
+    const Span<Id> expected = ofBefore.Gather(newToOld[p], ByCount(18));
+    const Span<Id> found = ofAfter.Gather(p, ByCount(18));
+    ASSERT_EQ(found.size(), expected.size());
+    ASSERT_EQ(ofAfter.IsInRings(), ofBefore.IsInRings());
+    sorted += ofAfter.IsInRings() ? 0 : 1;
+    for (Id i = 0; i < found.size(); ++i)
+    {
+      ASSERT_EQ(after.Triangles().Point(found[i]), before.Triangles().Point(expected[i]))
+        << "point " << p << " place " << i;
+    }
+  }
+  EXPECT_GT(sorted, 0);
+}
+
+//------------------------------------------------------------------------------
 TEST(RingNeighborhood, ByRingsAndPointCountHasBoth)
 {
   const MeshedSurface surface(Icosphere(10));

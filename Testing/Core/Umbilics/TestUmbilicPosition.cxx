@@ -89,7 +89,7 @@ TEST(UmbilicPosition, WeightsAreThoseOfTheLeastForm)
       field.Set(p, form);
     }
     // From corner 0 on, which comes first by position, then 1 and 2 in the sense of the triangle.
-    const Triangle corners = CornersInOrder(surface.Triangles(), 0);
+    const Triangle corners = CornersInOrder(surface.Triangles(), field.View(), 0);
     const Vector3d weights = UmbilicWeights(surface.Triangles(), field.View(), 0);
     Vector3d byPoint;
     for (int i = 0; i < 3; ++i)

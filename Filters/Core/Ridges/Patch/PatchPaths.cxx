@@ -3,6 +3,7 @@
 #include "Ridges/Patch/PatchPaths.h"
 
 #include "Mesh/PositionOrder.h"
+#include "Monge/FieldOrder.h"
 
 #include <Eigen/Geometry>
 
@@ -13,8 +14,10 @@
 namespace ridges
 {
 
-PatchPaths::PatchPaths(const TriangleMesh& mesh, const PatchContour& contour)
+PatchPaths::PatchPaths(
+  const TriangleMesh& mesh, const MongeField& field, const PatchContour& contour)
   : Mesh_(mesh)
+  , Field_(field)
   , Contour_(contour)
   , Depth_(contour.Sides().size(), 0)
 {
@@ -66,7 +69,7 @@ void PatchPaths::TakeCorners(Id target, const Eigen::Vector3d& position)
     for (const int side : { i, (i + 2) % 3 })
     {
       const Id edge = this->Mesh_.EdgeOf(target, side);
-      const bool fromFirst = OrderedEdge(this->Mesh_, edge).p == corners[i];
+      const bool fromFirst = EndsInOrder(this->Mesh_, this->Field_, edge).p == corners[i];
       Range& range = this->Taken_.insert({ edge, { 1.0, 0.0 } }).first->second;
       range.least = fromFirst ? std::min(range.least, room) : range.least;
       range.greatest = fromFirst ? range.greatest : std::max(range.greatest, 1.0 - room);
@@ -107,7 +110,7 @@ bool PatchPaths::Straight(std::size_t side, const Eigen::Vector3d& from, Id targ
       return false;
     }
     edge = this->Mesh_.EdgeOf(triangle, leavesAfter ? apex : (apex + 2) % 3);
-    const OrderedEdge exit(this->Mesh_, edge);
+    const OrderedEdge exit = EndsInOrder(this->Mesh_, this->Field_, edge);
     const double at0 = offset(exit.p);
     const double at1 = offset(exit.q);
     const double parameter = std::min(1.0 - margin, std::max(margin, at0 / (at0 - at1)));
@@ -180,7 +183,7 @@ std::vector<std::vector<EdgeCrossing>> PatchPaths::OverFewest(
     const auto& last = node.paths[(side + 2) % 3];
     leaving.insert(leaving.end(), last.begin(), last.end());
     const bool forward =
-      OrderedEdge(this->Mesh_, node.edge).p == this->Mesh_.Corners(triangle)[side];
+      EndsInOrder(this->Mesh_, this->Field_, node.edge).p == this->Mesh_.Corners(triangle)[side];
     for (std::size_t k = 0; k < leaving.size(); ++k)
     {
       const double fromEnd =
@@ -209,7 +212,7 @@ std::vector<EdgeCrossing> PatchPaths::AlongContour(std::size_t first, std::size_
     for (const Id edge : sides[i].spokes)
     {
       // At most half of what is free: there may be as many paths around the other end.
-      const bool fromFirst = OrderedEdge(this->Mesh_, edge).p == sides[i].end;
+      const bool fromFirst = EndsInOrder(this->Mesh_, this->Field_, edge).p == sides[i].end;
       const auto taken = this->Taken_.find(edge);
       const double room = taken == this->Taken_.end()
         ? 0.5

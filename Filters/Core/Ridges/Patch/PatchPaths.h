@@ -3,13 +3,13 @@
 #ifndef ridges_PatchPaths_h
 #define ridges_PatchPaths_h
 
+#include "Monge/MongeField.h"
 #include "Ridges/Patch/PatchContour.h"
 
 namespace ridges
 {
 
-/// Where a path crosses an edge: at a fraction of the way from that end which comes first by
-/// position.
+/// Where a path crosses an edge: at a fraction of the way from the first of EndsInOrder.
 struct EdgeCrossing
 {
   Id edge;
@@ -23,7 +23,7 @@ struct EdgeCrossing
 class PatchPaths
 {
 public:
-  PatchPaths(const TriangleMesh& mesh, const PatchContour& contour);
+  PatchPaths(const TriangleMesh& mesh, const MongeField& field, const PatchContour& contour);
 
   /**
    * Straight paths, seen along the normal of the triangle `target`, from points on these sides of
@@ -53,6 +53,7 @@ private:
     const std::vector<std::size_t>& sides, Id target) const;
 
   const TriangleMesh& Mesh_;
+  MongeField Field_;
   const PatchContour& Contour_;
   std::unordered_map<Id, Range> Taken_; ///< By edge, of the point and the paths to it.
   std::vector<int> Depth_;              ///< By side: of paths along the contour at its end.

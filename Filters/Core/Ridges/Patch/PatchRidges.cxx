@@ -197,7 +197,7 @@ void PatchRidges::Draw(const RidgePatch& patch, std::vector<RidgeSegment>& segme
     paths.push_back(std::move(path));
   };
 
-  PatchPaths layout(mesh, contour);
+  PatchPaths layout(mesh, this->Crossings_.Field(), contour);
   std::vector<Eigen::Vector3d> starts;
   for (const std::size_t side : joints.toUmbilic)
   {
