@@ -3,23 +3,26 @@
 #ifndef vtkRidgesPerThread_h
 #define vtkRidgesPerThread_h
 
-#include "vtkSMPThreadLocal.h"
-
+#include <map>
 #include <memory>
+#include <mutex>
+#include <thread>
 
 /**
  * Scratch memory, one object per thread, made when the thread first needs it. Private to the
- * module.
+ * module. Not a vtkSMPThreadLocal: GCC 14 warns of a vector<bool> in that of VTK 9.3.
  */
 template <typename Scratch>
 class vtkRidgesPerThread
 {
 public:
-  /// The object of this thread; `make` returns a shared pointer to a new one.
+  /// The object of this thread; `make` returns a shared pointer to a new one. To be called once for
+  /// a range, as threads wait for each other here.
   template <typename Make>
   Scratch& Get(const Make& make)
   {
-    std::shared_ptr<Scratch>& scratch = this->Local->Local();
+    const std::lock_guard<std::mutex> lock(this->Mutex);
+    std::shared_ptr<Scratch>& scratch = this->Objects[std::this_thread::get_id()];
     if (!scratch)
     {
       scratch = make();
@@ -28,10 +31,8 @@ public:
   }
 
 private:
-  // Pointers, as vtkSMPThreadLocal copies the value it starts from. On the heap, as GCC 14 warns of
-  // a vector<bool> in VTK 9.3 where it sees through the construction.
-  using Pointers = vtkSMPThreadLocal<std::shared_ptr<Scratch>>;
-  std::shared_ptr<Pointers> Local = std::make_shared<Pointers>();
+  std::mutex Mutex;
+  std::map<std::thread::id, std::shared_ptr<Scratch>> Objects;
 };
 
 #endif
