@@ -8,7 +8,9 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <functional>
 #include <limits>
+#include <tuple>
 
 namespace ridges
 {
@@ -29,18 +31,28 @@ std::vector<PatchRidges::Crossing> PatchRidges::FindCrossings(
 {
   const TriangleMesh& mesh = this->Crossings_.Mesh();
   std::vector<Crossing> crossings;
-  std::unordered_map<std::uint64_t, Id> numberOf;
-  const auto key = [](Id triangle, Id edge)
-  { return (static_cast<std::uint64_t>(triangle) << 32) | static_cast<std::uint32_t>(edge); };
+  // A region that is cut along an edge has a side of it in each of its triangles.
+  struct Numbered
+  {
+    Id triangle;
+    Id edge;
+    Id number;
+    bool operator<(const Numbered& other) const
+    {
+      return std::tie(this->triangle, this->edge) < std::tie(other.triangle, other.edge);
+    }
+  };
+  std::vector<Numbered> numbers;
   for (std::size_t i = 0; i < contour.Sides().size(); ++i)
   {
     const PatchContour::Side& side = contour.Sides()[i];
     if (this->Crossings_.IsCrossed(side.edge))
     {
-      numberOf[key(side.triangle, side.edge)] = static_cast<Id>(crossings.size());
+      numbers.push_back({ side.triangle, side.edge, static_cast<Id>(crossings.size()) });
       crossings.push_back({ i });
     }
   }
+  std::sort(numbers.begin(), numbers.end());
   for (Crossing& crossing : crossings)
   {
     Id triangle = contour.Sides()[crossing.side].triangle;
@@ -57,7 +69,8 @@ std::vector<PatchRidges::Crossing> PatchRidges::FindCrossings(
       const Id across = contour.Across(triangle, edge);
       if (across < 0)
       {
-        crossing.partner = numberOf.at(key(triangle, edge));
+        crossing.partner =
+          std::lower_bound(numbers.begin(), numbers.end(), Numbered{ triangle, edge, 0 })->number;
       }
       triangle = across;
     }
@@ -120,42 +133,62 @@ PatchRidges::Joints PatchRidges::Join(const RidgePatch& patch, const PatchContou
     return cutsOff(i, j) ? std::numeric_limits<double>::max() : preferred;
   };
 
-  std::vector<Id> left(crossings.size());
-  for (std::size_t i = 0; i < left.size(); ++i)
+  // A ring of those that are left, and a heap of neighbours in it, the cheapest first. Of two that
+  // are left each follows the other: the shorter way around.
+  const Id count = static_cast<Id>(crossings.size());
+  const std::size_t sides = contour.Sides().size();
+  std::vector<Id> next(crossings.size());
+  std::vector<Id> previous(crossings.size());
+  using Offer = std::tuple<double, std::size_t, Id, Id>; // Cost, steps, and both.
+  std::vector<Offer> offers;
+  const auto offer = [&crossings, &cost, &offers, &next, sides](Id from)
   {
-    left[i] = static_cast<Id>(i);
+    const Id to = next[from];
+    const std::size_t steps = (crossings[to].side + sides - crossings[from].side) % sides;
+    offers.emplace_back(cost(from, to), steps, from, to);
+    std::push_heap(offers.begin(), offers.end(), std::greater<Offer>());
+  };
+  for (Id i = 0; i < count; ++i)
+  {
+    next[i] = i + 1 < count ? i + 1 : 0;
+    previous[i] = i > 0 ? i - 1 : count - 1;
+  }
+  for (Id i = 0; i < count; ++i)
+  {
+    offer(i);
   }
   Joints joints;
-  const std::size_t wanted =
-    contour.Contains(patch.umbilic) ? static_cast<std::size_t>(patch.ridgeCount) : 0;
-  while (left.size() > wanted && left.size() > 1)
+  const Id wanted = contour.Contains(patch.umbilic) ? static_cast<Id>(patch.ridgeCount) : 0;
+  std::vector<std::uint8_t> isLeft(crossings.size(), 1);
+  for (Id left = count; left > wanted && left > 1; left -= 2)
   {
-    // Of two that are left each follows the other: the shorter way around.
-    std::size_t best = 0;
-    double least = std::numeric_limits<double>::max();
-    std::size_t fewest = 0;
-    for (std::size_t i = 0; i < left.size(); ++i)
+    const auto isOver = [&isLeft, &next](const Offer& made)
+    { return !isLeft[std::get<2>(made)] || next[std::get<2>(made)] != std::get<3>(made); };
+    while (isOver(offers.front()))
     {
-      const Id from = left[i];
-      const Id to = left[(i + 1) % left.size()];
-      const std::size_t count = contour.Sides().size();
-      const std::size_t steps = (crossings[to].side + count - crossings[from].side) % count;
-      const double value = cost(from, to);
-      if (i == 0 || value < least || (value == least && steps < fewest))
-      {
-        least = value;
-        fewest = steps;
-        best = i;
-      }
+      std::pop_heap(offers.begin(), offers.end(), std::greater<Offer>());
+      offers.pop_back();
     }
-    const std::size_t next = (best + 1) % left.size();
-    joints.pairs.push_back({ crossings[left[best]].side, crossings[left[next]].side });
-    left.erase(left.begin() + static_cast<std::ptrdiff_t>(std::max(best, next)));
-    left.erase(left.begin() + static_cast<std::ptrdiff_t>(std::min(best, next)));
+    const Id from = std::get<2>(offers.front());
+    const Id to = std::get<3>(offers.front());
+    joints.pairs.push_back({ crossings[from].side, crossings[to].side });
+    isLeft[from] = 0;
+    isLeft[to] = 0;
+    const Id before = previous[from];
+    const Id after = next[to];
+    next[before] = after;
+    previous[after] = before;
+    if (left > 3)
+    {
+      offer(before);
+    }
   }
-  for (const Id i : left)
+  for (Id i = 0; i < count; ++i)
   {
-    joints.toUmbilic.push_back(crossings[i].side);
+    if (isLeft[i])
+    {
+      joints.toUmbilic.push_back(crossings[i].side);
+    }
   }
   return joints;
 }
