@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 
 namespace ridges
 {
@@ -20,7 +21,7 @@ public:
     : Crossings_(crossings)
     , Segments_(segments)
     , At_(crossings.Size(), { None, None })
-    , Visited_(segments.size(), false)
+    , Visited_(segments.size(), 0)
   {
     for (std::size_t s = 0; s < segments.size(); ++s)
     {
@@ -35,7 +36,7 @@ public:
     }
   }
 
-  bool IsVisited(Id segment) const { return this->Visited_[segment]; }
+  bool IsVisited(Id segment) const { return this->Visited_[segment] != 0; }
 
   /// The segment that continues across the edge, or None.
   Id Across(Id segment, Id edge) const
@@ -51,20 +52,20 @@ public:
   /// The ridge that starts in the segment at its end `from`.
   Ridge Walk(Id segment, Id from)
   {
-    Ridge ridge;
-    ridge.nodes.push_back(this->NodeOf(segment, from));
+    // Of unknown length, so that they are put together in memory that is there.
+    this->Nodes_.assign(1, this->NodeOf(segment, from));
+    this->Walked_.clear();
     while (segment != None && !this->Visited_[segment])
     {
-      this->Visited_[segment] = true;
+      this->Visited_[segment] = 1;
       const RidgeSegment& s = this->Segments_[segment];
       const Id to = s.edge0 == from ? s.edge1 : s.edge0;
-      ridge.segments.push_back(segment);
-      ridge.nodes.push_back(this->NodeOf(segment, to));
+      this->Walked_.push_back(segment);
+      this->Nodes_.push_back(this->NodeOf(segment, to));
       segment = this->Across(segment, to);
       from = to;
     }
-    ridge.closed = segment != None;
-    return ridge;
+    return { this->Nodes_, this->Walked_, segment != None };
   }
 
 private:
@@ -77,7 +78,9 @@ private:
   const RidgeCrossings& Crossings_;
   const std::vector<RidgeSegment>& Segments_;
   std::vector<std::array<Id, 2>> At_; ///< Segments at each crossing.
-  std::vector<bool> Visited_;
+  std::vector<std::uint8_t> Visited_;
+  std::vector<Id> Nodes_;
+  std::vector<Id> Walked_;
 };
 
 } // namespace

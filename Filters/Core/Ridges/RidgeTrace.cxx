@@ -68,6 +68,8 @@ public:
     const std::vector<bool> inPatch = this->FindPiecesInPatches(ridge);
     RidgeTrace trace;
     trace.closed = ridge.closed;
+    trace.vertices.reserve(ridge.nodes.size());
+    trace.types.reserve(ridge.segments.size());
     trace.vertices.push_back(this->VertexAt(ridge, 0, 1));
     for (std::size_t i = 0; i < ridge.segments.size(); ++i)
     {
@@ -81,16 +83,22 @@ public:
       }
       else
       {
-        this->AppendPiece(trace, segment, next, inPatch[i]);
+        this->AppendPiece(trace, segment, next, !inPatch.empty() && inPatch[i]);
       }
     }
     return trace;
   }
 
 private:
+  /// Empty if there are none.
   std::vector<bool> FindPiecesInPatches(const Ridge& ridge) const
   {
-    std::vector<bool> inPatch(ridge.segments.size(), false);
+    std::vector<bool> inPatch;
+    if (!Ridge::IsUmbilic(ridge.nodes.front()) && !Ridge::IsUmbilic(ridge.nodes.back()))
+    {
+      return inPatch;
+    }
+    inPatch.resize(ridge.segments.size(), false);
     const auto mark = [this, &ridge, &inPatch](Id node, std::size_t start, int step)
     {
       if (!Ridge::IsUmbilic(node) || !this->Umbilics_.patchOf)

@@ -3,7 +3,6 @@
 #include "Ridges/SmallLoops.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <utility>
 
@@ -87,10 +86,11 @@ bool SmallLoops::Separates(const Part& part, const Fence& fence) const
 // Colours the parts at the two ends of each edge of the fence differently, and looks whether all
 // those of one colour are small. Parts that are not small are one: which of them are connected far
 // away makes no difference, as they have to be on the same side in any case.
-bool SmallLoops::HasSmallSide(const Fence& fence) const
+bool SmallLoops::HasSmallSide(const Fence& fence, const std::array<Part, 2>& known) const
 {
   constexpr std::size_t large = 0;
   std::vector<Part> parts(1);
+  parts.insert(parts.end(), known.begin(), known.end());
   const auto partOf = [this, &parts, &fence](Id point)
   {
     for (std::size_t i = 1; i < parts.size(); ++i)
@@ -195,7 +195,7 @@ bool SmallLoops::Contain(const Ridge& ridge, const std::vector<RidgeSegment>& se
       }
     }
   }
-  return (parts[0].isSmall || parts[1].isSmall) && this->HasSmallSide(fence);
+  return (parts[0].isSmall || parts[1].isSmall) && this->HasSmallSide(fence, parts);
 }
 
 } // namespace ridges

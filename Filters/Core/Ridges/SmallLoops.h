@@ -6,6 +6,7 @@
 #include "Fit/FitErrors.h"
 #include "Ridges/RidgeAssembly.h"
 
+#include <array>
 #include <vector>
 
 namespace ridges
@@ -50,7 +51,8 @@ private:
   Part FindPart(Id start, const Fence& fence) const;
   void GrowByOne(Part& part, const Fence& fence) const;
   bool Separates(const Part& part, const Fence& fence) const;
-  bool HasSmallSide(const Fence& fence) const;
+  /// `known` are the parts found already.
+  bool HasSmallSide(const Fence& fence, const std::array<Part, 2>& known) const;
 
   const RidgeCrossings& Crossings_;
   FitErrorSource Errors_;
