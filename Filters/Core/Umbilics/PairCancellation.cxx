@@ -154,11 +154,11 @@ bool Growth::Run(const Monitor& monitor)
   const double all = this->Left_[0] + this->Left_[1];
   this->Front_.resize(2);
   this->Meetings_.resize(2);
-  for (std::size_t i = 0; i < this->Charges_.size(); ++i)
+  for (Id t = 0; t < this->Mesh_.NumberOfTriangles(); ++t)
   {
-    if (this->IsActive_[i])
+    if (this->Nodes_[t].owner != None)
     {
-      this->LookAround(this->Charges_[i].triangle);
+      this->LookAround(t);
     }
   }
   // Paths of so many steps meet in triangles that are half as far at most.
