@@ -1,10 +1,11 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkRidges contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// RidgesMemory [FREQUENCY]
+// RidgesMemory [FREQUENCY [NOISE]]
 //
 // The memory that the pipeline needs at its peak, beyond its input and what it leaves in the
 // outputs of its three filters, on an ellipsoid of 10 FREQUENCY^2 + 2 points (default 510, which
-// gives 2.6 million).
+// gives 2.6 million), moved along its normals by noise of a standard deviation of NOISE edges
+// (default 0).
 
 #include "BenchmarkMeshes.h"
 
@@ -62,12 +63,15 @@ double Run(const char* name, Filter* filter, double points)
 int main(int argc, char* argv[])
 {
   const int frequency = argc > 1 ? std::atoi(argv[1]) : 510;
-  if (frequency < 1 || frequency > 2000)
+  const double noise = argc > 2 ? std::strtod(argv[2], nullptr) : 0.0;
+  if (frequency < 1 || frequency > 2000 || !(noise >= 0.0))
   {
-    std::fprintf(stderr, "%s: FREQUENCY is 1 to 2000\n", argv[0]);
+    std::fprintf(stderr, "%s: FREQUENCY is 1 to 2000, NOISE not negative\n", argv[0]);
     return 2;
   }
-  const vtkSmartPointer<vtkPolyData> mesh = benchmarks::EllipsoidMesh(frequency);
+  const vtkSmartPointer<vtkPolyData> mesh = noise > 0.0
+    ? benchmarks::NoisyEllipsoidMesh(frequency, noise)
+    : benchmarks::EllipsoidMesh(frequency);
   const auto points = static_cast<double>(mesh->GetNumberOfPoints());
   vtkNew<vtkJetFitting> jets;
   jets->SetInputData(mesh);
