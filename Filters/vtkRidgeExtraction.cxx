@@ -157,20 +157,30 @@ int vtkRidgeExtraction::RequestData(
   const bool gaussian = this->ExtremalityRule == GAUSSIAN;
   std::vector<ridges::RidgeTrace> blue;
   std::vector<ridges::RidgeTrace> red;
-  const bool finished = ((!gaussian && !this->ExtractMaximum) ||
-                          search.Find(this, ridges::Color::Blue, 0.1, 0.5, blue)) &&
-    (gaussian || !this->ExtractMinimum || search.Find(this, ridges::Color::Red, 0.5, 0.9, red));
-  if (!finished)
+  const bool findsPurple = this->FindPurplePoints && !gaussian;
+  const auto extract = [this, &search, &lines, findsPurple](ridges::Color color, double from,
+                         double to, std::vector<ridges::RidgeTrace>& found)
   {
-    return 1;
-  }
-  if (!lines.AddRidges(blue, vtkRidgesMonitor(this, 0.9, 0.95)) ||
-    !lines.AddRidges(red, vtkRidgesMonitor(this, 0.95, 1.0)))
+    const double middle = from + 0.9 * (to - from);
+    if (!search.Find(this, color, from, middle, found) ||
+      !lines.AddRidges(found, vtkRidgesMonitor(this, middle, to)))
+    {
+      return false;
+    }
+    if (!findsPurple)
+    {
+      // Not kept while the other color is looked for: on noise that is most of the memory.
+      found = std::vector<ridges::RidgeTrace>();
+    }
+    return true;
+  };
+  if (((gaussian || this->ExtractMaximum) && !extract(ridges::Color::Blue, 0.1, 0.55, blue)) ||
+    (!gaussian && this->ExtractMinimum && !extract(ridges::Color::Red, 0.55, 1.0, red)))
   {
     return 1;
   }
   lines.Store(output, field.HasFourthOrder());
-  if (this->FindPurplePoints && !gaussian)
+  if (findsPurple)
   {
     const auto purple = ridges::FindPurplePoints(triangles, blue, red);
     StorePurplePoints(

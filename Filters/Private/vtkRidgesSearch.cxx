@@ -87,10 +87,10 @@ private:
   std::vector<Share> Shares;
 };
 
-/// Traces ridges, each for itself.
+/// Traces ridges, each for itself, and forgets what they were traced from.
 struct TraceRidges
 {
-  const std::vector<ridges::Ridge>& ridges;
+  std::vector<ridges::Ridge>& ridges;
   const std::vector<ridges::RidgeSegment>& segments;
   const std::vector<ridges::RidgePath>& paths;
   const ridges::RidgeCrossings& crossings;
@@ -106,6 +106,7 @@ struct TraceRidges
       ridges::RidgeTrace& trace = this->traces[i];
       trace = ridges::TraceRidge(
         this->ridges[i], this->segments, this->paths, this->crossings, this->rule, this->umbilics);
+      this->ridges[i] = ridges::Ridge();
       ridges::MakeCanonical(trace);
       if (this->shortestRun > 0.0)
       {
@@ -258,8 +259,8 @@ bool vtkRidgesSearch::Assemble(vtkAlgorithm* filter, double from, double to,
 }
 
 bool vtkRidgesSearch::Trace(vtkAlgorithm* filter, double from, double to,
-  const ridges::RidgeCrossings& crossings, const Pieces& pieces,
-  const std::vector<ridges::Ridge>& whole, std::vector<ridges::RidgeTrace>& found) const
+  const ridges::RidgeCrossings& crossings, const Pieces& pieces, std::vector<ridges::Ridge>& whole,
+  std::vector<ridges::RidgeTrace>& found) const
 {
   const ridges::UmbilicLookup lookup = this->MakeLookup();
   found.resize(whole.size());

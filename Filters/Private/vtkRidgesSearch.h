@@ -59,7 +59,7 @@ private:
     const ridges::RidgeCrossings& crossings, const Pieces& pieces,
     std::vector<ridges::Ridge>& whole) const;
   bool Trace(vtkAlgorithm* filter, double from, double to, const ridges::RidgeCrossings& crossings,
-    const Pieces& pieces, const std::vector<ridges::Ridge>& whole,
+    const Pieces& pieces, std::vector<ridges::Ridge>& whole,
     std::vector<ridges::RidgeTrace>& found) const;
 
   ridges::UmbilicLookup MakeLookup() const;

@@ -68,8 +68,9 @@ public:
     const std::vector<bool> inPatch = this->FindPiecesInPatches(ridge);
     RidgeTrace trace;
     trace.closed = ridge.closed;
-    trace.vertices.reserve(ridge.nodes.size());
-    trace.types.reserve(ridge.segments.size());
+    // With some turning points.
+    trace.vertices.reserve(2 * ridge.nodes.size());
+    trace.types.reserve(2 * ridge.nodes.size());
     trace.vertices.push_back(this->VertexAt(ridge, 0, 1));
     for (std::size_t i = 0; i < ridge.segments.size(); ++i)
     {
@@ -86,6 +87,9 @@ public:
         this->AppendPiece(trace, segment, next, !inPatch.empty() && inPatch[i]);
       }
     }
+    // There are many short ones on noise.
+    trace.vertices.shrink_to_fit();
+    trace.types.shrink_to_fit();
     return trace;
   }
 
