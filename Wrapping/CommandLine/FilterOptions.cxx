@@ -1,0 +1,235 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkRidges contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "FilterOptions.h"
+
+#include "OptionGroup.h"
+
+#include "vtkJetFitting.h"
+#include "vtkRidgeExtraction.h"
+#include "vtkRidgeSharpnessFilter.h"
+#include "vtkUmbilicDetection.h"
+
+#include <algorithm>
+#include <cctype>
+#include <sstream>
+
+namespace program
+{
+namespace
+{
+
+/// The five switches of the types in one option, as a list.
+void AddKeep(CLI::App& app, vtkRidgeSharpnessFilter* filter)
+{
+  using Class = vtkRidgeSharpnessFilter;
+  struct Type
+  {
+    std::string name;
+    void (Class::*set)(bool);
+    bool (Class::*get)();
+  };
+  const std::vector<Type> types{
+    { "blue", &Class::SetKeepMaximumElliptic, &Class::GetKeepMaximumElliptic },
+    { "green", &Class::SetKeepMaximumHyperbolic, &Class::GetKeepMaximumHyperbolic },
+    { "red", &Class::SetKeepMinimumElliptic, &Class::GetKeepMinimumElliptic },
+    { "yellow", &Class::SetKeepMinimumHyperbolic, &Class::GetKeepMinimumHyperbolic },
+    { "undecided", &Class::SetKeepUndecided, &Class::GetKeepUndecided },
+  };
+  std::string initial;
+  for (const Type& type : types)
+  {
+    if ((filter->*type.get)())
+    {
+      initial += (initial.empty() ? "" : ",") + type.name;
+    }
+  }
+  // Split here: a list option of CLI11 would take the arguments behind it for more types.
+  const auto keep = [types, filter](const std::string& text)
+  {
+    std::vector<bool> isWanted(types.size(), false);
+    std::istringstream words(text);
+    for (std::string word; std::getline(words, word, ',');)
+    {
+      std::transform(word.begin(), word.end(), word.begin(),
+        [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+      const auto type = std::find_if(
+        types.begin(), types.end(), [&word](const Type& known) { return known.name == word; });
+      if (type == types.end())
+      {
+        throw CLI::ValidationError("--keep", text + " is not a list of types");
+      }
+      isWanted[static_cast<std::size_t>(type - types.begin())] = true;
+    }
+    for (std::size_t i = 0; i < types.size(); ++i)
+    {
+      (filter->*types[i].set)(isWanted[i]);
+    }
+  };
+  app
+    .add_option_function<std::string>("--keep", keep,
+      "types of lines to keep: blue (maximum, elliptic), green (maximum, hyperbolic), red "
+      "(minimum, "
+      "elliptic), yellow (minimum, hyperbolic), undecided")
+    ->type_name("TYPE,...")
+    ->default_str(initial)
+    ->group("Filter");
+}
+
+} // namespace
+
+void AddJetFitting(CLI::App& app, vtkJetFitting* filter)
+{
+  constexpr int leastOrder = 3; // Ridges are where a third derivative vanishes.
+  OptionGroup group(app, "Jet fitting");
+  group.Number<int>(
+    "--degree", "N", filter->GetDegree(), { leastOrder, filter->GetDegreeMaxValue() },
+    [filter](int value) { filter->SetDegree(value); },
+    "degree of the polynomial fitted at each point");
+  group.Number<int>(
+    "--monge-order", "N", filter->GetMongeOrder(), { leastOrder, filter->GetMongeOrderMaxValue() },
+    [filter](int value) { filter->SetMongeOrder(value); },
+    "highest order of the derivatives; 3 needs --type-rule third-order");
+  group.Choice(
+    "--neighborhood",
+    { { "point-count", vtkJetFitting::BY_POINT_COUNT }, { "rings", vtkJetFitting::BY_RINGS },
+      { "radius", vtkJetFitting::BY_RADIUS }, { "automatic", vtkJetFitting::AUTOMATIC } },
+    filter->GetNeighborhood(), [filter](int value) { filter->SetNeighborhood(value); },
+    "how large the neighbourhood of a point is; automatic selects 2 to 8 rings by the noise of the "
+    "mesh");
+  group.Number<int>(
+    "--minimum-number-of-points", "N", filter->GetMinimumNumberOfPoints(),
+    { filter->GetMinimumNumberOfPointsMinValue(), filter->GetMinimumNumberOfPointsMaxValue() },
+    [filter](int value) { filter->SetMinimumNumberOfPoints(value); },
+    "least number of points, for --neighborhood point-count; use 100 to 200 on noisy meshes");
+  group.Number<int>(
+    "--number-of-rings", "N", filter->GetNumberOfRings(),
+    { filter->GetNumberOfRingsMinValue(), filter->GetNumberOfRingsMaxValue() },
+    [filter](int value) { filter->SetNumberOfRings(value); },
+    "number of rings, for --neighborhood rings");
+  group.Number<double>(
+    "--radius", "LENGTH", filter->GetRadius(), { 0.0, AnyLength },
+    [filter](double value) { filter->SetRadius(value); },
+    "radius in units of the mesh, for --neighborhood radius");
+  group.Choice(
+    "--weighting",
+    { { "uniform", vtkJetFitting::UNIFORM }, { "gaussian", vtkJetFitting::GAUSSIAN } },
+    filter->GetWeighting(), [filter](int value) { filter->SetWeighting(value); },
+    "weight of the points in a neighbourhood; gaussian decreases with their distance");
+  group.Flag(
+    "--standard-errors", [filter](bool on) { filter->SetStandardErrors(on); },
+    "compute standard errors of the derivatives; --write-mesh writes them too");
+}
+
+void AddUmbilics(CLI::App& app, vtkUmbilicDetection* filter)
+{
+  OptionGroup group(app, "Umbilics");
+  group.Choice(
+    "--umbilic-method",
+    { { "indices", vtkUmbilicDetection::INDICES }, { "minima", vtkUmbilicDetection::MINIMA } },
+    filter->GetMethod(), [filter](int value) { filter->SetMethod(value); },
+    "how umbilics are found: by the index of every triangle, which misses none, or at minima of "
+    "k1 - k2, as in the paper");
+  group.Number<double>(
+    "--umbilic-significance", "ERRORS", filter->GetSignificance(),
+    { filter->GetSignificanceMinValue(), filter->GetSignificanceMaxValue() },
+    [filter](double value) { filter->SetSignificance(value); },
+    "number of standard errors within which k1 - k2 counts as 0; opposite umbilics that such "
+    "places "
+    "connect cancel each other, as noise may have caused them");
+  group.Number<double>(
+    "--patch-size", "FACTOR", filter->GetPatchSize(),
+    { filter->GetPatchSizeMinValue(), filter->GetPatchSizeMaxValue() },
+    [filter](double value) { filter->SetPatchSize(value); },
+    "size of the patch around an umbilic, as a multiple of the triangles there");
+}
+
+void AddRidges(CLI::App& app, vtkRidgeExtraction* filter)
+{
+  constexpr int maximum = 1;
+  constexpr int minimum = 2;
+  OptionGroup group(app, "Ridges");
+  group.Choice(
+    "--extract", { { "maximum", maximum }, { "minimum", minimum }, { "both", maximum | minimum } },
+    (filter->GetExtractMaximum() ? maximum : 0) | (filter->GetExtractMinimum() ? minimum : 0),
+    [filter](int value)
+    {
+      filter->SetExtractMaximum((value & maximum) != 0);
+      filter->SetExtractMinimum((value & minimum) != 0);
+    },
+    "principal curvature whose ridges are extracted");
+  group.Flag(
+    "--crest-only", [filter](bool on) { filter->SetCrestOnly(on); },
+    "extract only crest lines, the visually salient ridges");
+  group.Choice(
+    "--type-rule",
+    { { "fourth-order", vtkRidgeExtraction::FOURTH_ORDER },
+      { "third-order", vtkRidgeExtraction::THIRD_ORDER } },
+    filter->GetTypeRule(), [filter](int value) { filter->SetTypeRule(value); },
+    "order of the derivatives that decide whether a ridge is elliptic or hyperbolic");
+  group.Choice(
+    "--extremality-rule",
+    { { "principal", vtkRidgeExtraction::PRINCIPAL },
+      { "gaussian", vtkRidgeExtraction::GAUSSIAN } },
+    filter->GetExtremalityRule(), [filter](int value) { filter->SetExtremalityRule(value); },
+    "where ridges are: where a principal curvature is extremal or, for comparison, where the "
+    "product "
+    "of both extremalities changes sign");
+  group.Choice(
+    "--umbilic-joining",
+    { { "patches", vtkRidgeExtraction::PATCHES }, { "triangles", vtkRidgeExtraction::TRIANGLES } },
+    filter->GetUmbilicJoining(), [filter](int value) { filter->SetUmbilicJoining(value); },
+    "where ridges are connected to umbilics: in their patches or, less reliably, in single "
+    "triangles");
+  group.Number<double>(
+    "--loop-significance", "ERRORS", filter->GetLoopSignificance(),
+    { filter->GetLoopSignificanceMinValue(), filter->GetLoopSignificanceMaxValue() },
+    [filter](double value) { filter->SetLoopSignificance(value); },
+    "small loops whose extremality is within this many standard errors of 0 are omitted, as noise "
+    "may "
+    "have caused them; 0 keeps all");
+  group.Number<double>(
+    "--type-hysteresis", "EDGES", filter->GetTypeHysteresis(),
+    { filter->GetTypeHysteresisMinValue(), filter->GetTypeHysteresisMaxValue() },
+    [filter](double value) { filter->SetTypeHysteresis(value); },
+    "stretches of one type that are shorter than this many mean edges take the type of both "
+    "neighbours; 0 keeps all");
+  group.Number<double>(
+    "--model-size", "LENGTH", filter->GetModelSize(),
+    { filter->GetModelSizeMinValue(), filter->GetModelSizeMaxValue() },
+    [filter](double value) { filter->SetModelSize(value); },
+    "length that makes sharpness dimensionless; 0: the radius of the smallest enclosing sphere");
+  group.Number<double>(
+    "--umbilic-cut-off", "FACTOR", filter->GetUmbilicCutOff(),
+    { filter->GetUmbilicCutOffMinValue(), filter->GetUmbilicCutOffMaxValue() },
+    [filter](double value) { filter->SetUmbilicCutOff(value); },
+    "distance from umbilics, in model sizes, within which the sharpness of hyperbolic ridges is "
+    "not "
+    "integrated, as it diverges there");
+}
+
+void AddSharpness(CLI::App& app, vtkRidgeSharpnessFilter* filter)
+{
+  OptionGroup group(app, "Filter");
+  group.Number<double>(
+    "--minimum-sharpness", "S", filter->GetMinimumSharpness(),
+    { filter->GetMinimumSharpnessMinValue(), filter->GetMinimumSharpnessMaxValue() },
+    [filter](double value) { filter->SetMinimumSharpness(value); },
+    "least sharpness of a line, dimensionless; 100 to 1000 removes most of the noise");
+  group.Number<double>(
+    "--minimum-strength", "S", filter->GetMinimumStrength(),
+    { filter->GetMinimumStrengthMinValue(), filter->GetMinimumStrengthMaxValue() },
+    [filter](double value) { filter->SetMinimumStrength(value); },
+    "least strength of a line, the integral of its curvature, dimensionless");
+  group.Number<double>(
+    "--minimum-length", "LENGTH", filter->GetMinimumLength(),
+    { filter->GetMinimumLengthMinValue(), filter->GetMinimumLengthMaxValue() },
+    [filter](double value) { filter->SetMinimumLength(value); },
+    "least length of a line, in units of the mesh");
+
+  AddKeep(app, filter);
+  group.Flag(
+    "--keep-crest-only", [filter](bool on) { filter->SetCrestOnly(on); },
+    "keep only crest lines of what is extracted");
+}
+
+} // namespace program

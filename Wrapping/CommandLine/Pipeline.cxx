@@ -1,0 +1,160 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkRidges contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Pipeline.h"
+
+#include "Reading/MeshReader.h"
+#include "Repair/CoordinateGrain.h"
+#include "Repair/RepairMesh.h"
+
+#include "vtkDataArray.h"
+#include "vtkFieldData.h"
+#include "vtkPointData.h"
+#include "vtkRidgesArrayNames.h"
+
+namespace program
+{
+namespace
+{
+
+std::string Count(std::size_t number, const char* one, const char* more)
+{
+  return std::to_string(number) + " " + (number == 1 ? one : more);
+}
+
+void WarnOfRepair(const MeshFile& file, const RepairReport& report, const Stages& stages)
+{
+  const InvalidFaces& removed = report.removed;
+  if (removed.collapsed > 0)
+  {
+    stages.Warn(Count(removed.collapsed, "face has", "faces have") +
+        " fewer than three different corners and are left out",
+      "check the mesh");
+  }
+  if (removed.notFinite > 0)
+  {
+    stages.Warn(Count(removed.notFinite, "face has a corner", "faces have corners") +
+        " whose coordinates are not finite, and are left out",
+      "check the mesh");
+  }
+  const GrainWarning grain = WarnOfGrain(file.mesh);
+  if (!grain.text.empty())
+  {
+    stages.Warn(grain.text, grain.advice);
+  }
+}
+
+/// The mesh of the file as the filters get it.
+vtkSmartPointer<vtkPolyData> ReadAndRepair(const Options& options, Stages& stages, Results& results)
+{
+  MeshFile file;
+  RepairReport report;
+  stages.RunStrictly("read", "check " + options.mesh,
+    [&file, &report, &options]
+    {
+      file = ReadMesh(options.mesh);
+      RepairOptions repair = options.repair;
+      const bool isSoup = !file.hasNeighbours && repair.joining == Joining::Borders;
+      repair.joining = isSoup ? Joining::All : repair.joining;
+      report = RepairMesh(file.mesh, repair);
+      if (file.mesh.NumberOfFaces() == 0)
+      {
+        throw Failure(options.mesh + " has no face with three different corners at finite places",
+          "give the mesh of a surface");
+      }
+    });
+  WarnOfRepair(file, report, stages);
+  stages.SetHint("vtkPolyDataNormals",
+    report.orientation.oddEdges > 0
+      ? "the surface is one-sided, as a Moebius strip is: no orientation suits all of it"
+      : "add --orient");
+  stages.SetHint("vtkStaticCleanPolyData",
+    options.repair.joining == Joining::None ? "leave out --no-merge" : "--merge joins them");
+  // In STL all points are joined: that says nothing.
+  results.joinedPoints = file.hasNeighbours ? report.joinedPoints : 0;
+  return file.data && !report.HasChanged() ? file.data : file.mesh.ToPolyData();
+}
+
+vtkIdType CountPoints(vtkPolyData* fitted, int status)
+{
+  vtkDataArray* array = fitted->GetPointData()->GetArray(vtkRidgesArrayNames::FitStatus);
+  vtkIdType count = 0;
+  for (vtkIdType i = 0; array && i < array->GetNumberOfTuples(); ++i)
+  {
+    count += (static_cast<int>(array->GetTuple1(i)) & status) != 0 ? 1 : 0;
+  }
+  return count;
+}
+
+/// Fails if no point has a fit: then there is nothing to find.
+void CheckFits(vtkPolyData* fitted)
+{
+  const vtkIdType points = fitted->GetNumberOfPoints();
+  if (points > 0 && CountPoints(fitted, vtkJetFitting::FIT_INVALID) == points)
+  {
+    throw Failure("no polynomial can be fitted at any of the " + std::to_string(points) +
+        " points: they have too few neighbours in " + std::to_string(fitted->GetNumberOfPolys()) +
+        " triangles",
+      "give a finer mesh, whose triangles share their points");
+  }
+}
+
+/// What to do about warnings of the fit.
+std::string FitAdvice(vtkPolyData* fitted)
+{
+  const vtkIdType few =
+    CountPoints(fitted, vtkJetFitting::FIT_INVALID | vtkJetFitting::FIT_TOO_FEW_POINTS);
+  return 2 * few > fitted->GetNumberOfPoints()
+    ? "give a finer mesh: " + std::to_string(fitted->GetNumberOfPolys()) + " triangles are too few"
+    : "see Jet fitting in vtkridges --help-all";
+}
+
+} // namespace
+
+void RunFilters(const Options& options, Filters& filters, Stages& stages, Results& results)
+{
+  const std::string seeHelp = "see the options of this stage in vtkridges --help-all";
+  const auto run = [&stages, &seeHelp](const char* name, vtkAlgorithm* filter)
+  { stages.Run(name, seeHelp, filter, [filter] { filter->Update(); }); };
+  if (options.mesh.empty())
+  {
+    results.name = "example";
+    run("read", filters.example);
+    filters.jetFitting->SetInputConnection(filters.example->GetOutputPort());
+  }
+  else
+  {
+    results.name = options.mesh;
+    filters.jetFitting->SetInputData(ReadAndRepair(options, stages, results));
+  }
+  filters.umbilics->SetInputConnection(filters.jetFitting->GetOutputPort());
+  filters.ridges->SetInputConnection(filters.umbilics->GetOutputPort());
+  filters.sharpness->SetInputConnection(filters.ridges->GetOutputPort());
+  vtkJetFitting* jetFitting = filters.jetFitting;
+  stages.Run(
+    "jet fitting", [jetFitting] { return FitAdvice(jetFitting->GetOutput()); }, jetFitting,
+    [jetFitting]
+    {
+      jetFitting->Update();
+      CheckFits(jetFitting->GetOutput());
+    });
+  run("umbilics", filters.umbilics);
+  run("ridges", filters.ridges);
+  run("filter", filters.sharpness);
+  if (options.check)
+  {
+    filters.coherence->SetInputConnection(0, filters.umbilics->GetOutputPort(0));
+    filters.coherence->SetInputConnection(1, filters.ridges->GetOutputPort());
+    filters.coherence->SetInputConnection(2, filters.umbilics->GetOutputPort(1));
+    run("checks", filters.coherence);
+    results.checks = filters.coherence->GetOutput();
+  }
+  results.mesh = filters.umbilics->GetOutput();
+  vtkDataArray* rings =
+    results.mesh->GetFieldData()->GetArray(vtkRidgesArrayNames::SelectedNumberOfRings);
+  results.selectedRings = rings ? static_cast<int>(rings->GetComponent(0, 0)) : 0;
+  results.umbilics = vtkPolyData::SafeDownCast(filters.umbilics->GetOutput(1));
+  results.allRidges = filters.ridges->GetOutput();
+  results.ridges = filters.sharpness->GetOutput();
+}
+
+} // namespace program

@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkRidges contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef Pipeline_h
+#define Pipeline_h
+
+#include "Console.h"
+#include "Options.h"
+#include "Report.h"
+
+namespace program
+{
+
+/// Runs the filters one after the other, from the mesh to the ridges that are kept. Throws Failure.
+void RunFilters(const Options& options, Filters& filters, Stages& stages, Results& results);
+
+} // namespace program
+
+#endif
