@@ -3,6 +3,7 @@
 #include "vtkSalientRidges.h"
 
 #include "Core/Fit/ScaleSelection.h"
+#include "Core/Mesh/EnclosedVolume.h"
 #include "Core/Mesh/EnclosingSphere.h"
 #include "Core/Salience/NoiseFloor.h"
 #include "vtkJetFitting.h"
@@ -240,6 +241,12 @@ bool vtkSalientRidges::vtkInternals::FindLines(
     return false;
   }
   const ridges::TriangleMesh& mesh = monge.mesh.GetTriangles();
+  if (ridges::IsInsideOut(mesh))
+  {
+    vtkWarningWithObjectMacro(this->Filter,
+      "The surface is inside out: crests and valleys change places (vtkPolyDataNormals with "
+      "AutoOrientNormals turns it).");
+  }
   const vtkRidgesUmbilicMarks umbilics(monge.mesh);
   const vtkRidgesSearch search(monge, umbilics);
   const double diameter = 2.0 * ridges::SmallestEnclosingSphere(mesh).radius;
@@ -275,7 +282,7 @@ bool vtkSalientRidges::vtkInternals::FindLines(
 vtkSalientRidges::vtkSalientRidges()
   : Internals(new vtkInternals(this))
 {
-  this->SetNumberOfOutputPorts(2);
+  this->SetNumberOfOutputPorts(3);
 }
 
 vtkSalientRidges::~vtkSalientRidges() = default;
@@ -323,6 +330,8 @@ int vtkSalientRidges::RequestData(
     return 1; // aborted
   }
   mesh->ShallowCopy(marked);
+  vtkPolyData::GetData(outputVector, UMBILICS)
+    ->ShallowCopy(stages.Umbilics->GetOutputDataObject(1));
   SetFieldValue(mesh, names::NoiseFloor, floor);
   SetFieldValue(output, names::NoiseFloor, floor);
   return 1;

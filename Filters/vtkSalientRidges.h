@@ -29,7 +29,8 @@
  * and in field data NoiseFloor, the standard deviation of a curvature that is due to noise (1/L).
  * A line may contain gaps that were bridged, which are parts of the same ridge.
  *
- * Output port 1: the mesh with the arrays of vtkMongeSmoothing and vtkUmbilicDetection.
+ * Output port 1: the mesh with the arrays of vtkMongeSmoothing and vtkUmbilicDetection. Output port
+ * 2: the umbilics of the smoothed field, as vtkUmbilicDetection outputs them.
  *
  * Method: vtkJetFitting with degree two, vtkMongeSmoothing to the scale, vtkUmbilicDetection, and
  * the ridges of the smoothed field. At each point of an elliptic ridge the surface is followed
@@ -39,7 +40,8 @@
  * Guarantees: the same bytes for any number of threads, any SMP back end and any numbering of
  * points and cells.
  *
- * @warning Crests and valleys change places on a surface whose triangles are oriented inwards.
+ * @warning Crests and valleys change places on a surface whose triangles are oriented inwards. On a
+ * closed one a warning says so.
  * @sa vtkRidgesAndUmbilics vtkMongeSmoothing
  */
 
@@ -64,7 +66,8 @@ public:
   enum Ports
   {
     RIDGES = 0,
-    MESH = 1
+    MESH = 1,
+    UMBILICS = 2
   };
 
   ///@{

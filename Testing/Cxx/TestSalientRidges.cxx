@@ -221,3 +221,29 @@ TEST(SalientRidges, NothingComesOfNothing)
   EXPECT_EQ(messages.ErrorText(), "");
   EXPECT_TRUE(IsEmpty(salient->GetOutput()));
 }
+
+TEST(SalientRidges, OutputsTheUmbilicsOfTheSmoothedField)
+{
+  const auto salient = Find(EllipsoidData(20));
+  vtkPolyData* umbilics =
+    vtkPolyData::SafeDownCast(salient->GetOutputDataObject(vtkSalientRidges::UMBILICS));
+  ASSERT_EQ(umbilics->GetNumberOfVerts(), 4);
+  for (vtkIdType i = 0; i < 4; ++i)
+  {
+    EXPECT_EQ(Value(umbilics->GetPointData(), names::Index, i), 0.5);
+  }
+}
+
+TEST(SalientRidges, WarnsIfTheSurfaceIsInsideOut)
+{
+  const Mesh mesh = ToMesh(EllipsoidData(10));
+  for (const bool isTurned : { false, true })
+  {
+    vtkNew<vtkSalientRidges> salient;
+    MessageRecorder messages(salient);
+    salient->SetInputData(ToPolyData(isTurned ? Flip(mesh) : mesh));
+    salient->Update();
+    EXPECT_EQ(messages.WarningText().find("inside out") != std::string::npos, isTurned);
+    EXPECT_EQ(messages.NumberOfErrors(), 0u);
+  }
+}

@@ -32,6 +32,10 @@ expect_failure(2 "--check needs all ridges" --check --crest-only)
 expect_failure(2 "--check needs all ridges" --check --extract minimum)
 expect_failure(2 "--check needs --extremality-rule principal"
   --check --extremality-rule gaussian)
+expect_failure(2 "--complete excludes --salient" mesh.off --complete --salient)
+expect_failure(2 "--fold-angle is for salient lines, --degree for all ridges"
+  mesh.off --degree 4 --fold-angle 20)
+expect_failure(2 "--fold-angle: 200 is not in the range, 0 to 180" --fold-angle 200)
 expect_failure(2 "--merge excludes --no-merge" mesh.off --merge --no-merge)
 
 # Orders that ridges cannot do with
@@ -44,6 +48,11 @@ expect_failure(2 "need --type-rule third-order" --monge-order 3)
 function (expect_no_effect option)
   expect_failure(2 "${option} has no effect with" ${option} ${ARGN})
 endfunction ()
+expect_no_effect(--degree 4 mesh.off --salient)
+expect_no_effect(--minimum-sharpness 1 mesh.off --salient)
+expect_no_effect(--check mesh.off --salient)
+expect_no_effect(--fold-angle 20 mesh.off --complete)
+expect_no_effect(--fold-angle 20 --complete)
 expect_no_effect(--merge)
 expect_no_effect(--no-merge)
 expect_no_effect(--orient)

@@ -69,6 +69,42 @@ TEST(Options, SetRidgeExtraction)
   EXPECT_EQ(filters.ridges->GetExtremalityRule(), vtkRidgeExtraction::GAUSSIAN);
 }
 
+TEST(Options, SetSalientRidges)
+{
+  Filters filters;
+  const auto options = Parse(
+    { "mesh.off", "--fold-angle", "25", "--relative-scale", "0.005", "--hysteresis", "0.4",
+      "--longest-gap", "2", "--least-mass", "0.1", "--noise-factor", "0", "--not-crest-only" },
+    filters);
+  EXPECT_EQ(options.lines, program::Lines::Salient);
+  EXPECT_EQ(filters.salient->GetFoldAngle(), 25.0);
+  EXPECT_EQ(filters.salient->GetRelativeScale(), 0.005);
+  EXPECT_EQ(filters.salient->GetHysteresis(), 0.4);
+  EXPECT_EQ(filters.salient->GetLongestGap(), 2.0);
+  EXPECT_EQ(filters.salient->GetLeastMass(), 0.1);
+  EXPECT_EQ(filters.salient->GetNoiseFactor(), 0.0);
+  EXPECT_FALSE(filters.salient->GetCrestOnly());
+}
+
+TEST(Options, DecideWhichLinesAreWanted)
+{
+  const std::vector<std::pair<std::vector<std::string>, program::Lines>> cases{
+    { {}, program::Lines::Complete },
+    { { "--salient" }, program::Lines::Salient },
+    { { "mesh.off" }, program::Lines::ByData },
+    { { "mesh.off", "--write-mesh", "--view", "1,0,0" }, program::Lines::ByData },
+    { { "mesh.off", "--complete" }, program::Lines::Complete },
+    { { "mesh.off", "--salient" }, program::Lines::Salient },
+    { { "mesh.off", "--crest-only" }, program::Lines::Complete },
+    { { "mesh.off", "--check" }, program::Lines::Complete },
+  };
+  for (const auto& [arguments, lines] : cases)
+  {
+    Filters filters;
+    EXPECT_EQ(Parse(arguments, filters).lines, lines) << testing::PrintToString(arguments);
+  }
+}
+
 TEST(Options, RejectEmptyNames)
 {
   for (std::string text : { "vtkridges", "vtkridges -o" })

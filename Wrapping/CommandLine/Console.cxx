@@ -274,7 +274,7 @@ void Stages::RunStrictly(
 
 void Stages::Warn(const std::string& warning, const std::string& advice) const
 {
-  if (!this->Quiet)
+  if (!this->Quiet && this->Warned.insert(warning).second)
   {
     std::cerr << "vtkridges: warning, " << warning << " : " << advice << "\n";
   }

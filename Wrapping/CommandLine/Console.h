@@ -11,6 +11,7 @@
 
 #include <functional>
 #include <map>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -64,7 +65,7 @@ public:
   void RunStrictly(
     const std::string& name, const std::string& advice, const std::function<void()>& job);
 
-  /// Prints a warning of the program itself.
+  /// Prints a warning of the program itself, as all warnings only once.
   void Warn(const std::string& warning, const std::string& advice) const;
 
   /// Name and seconds of the stages run so far.
@@ -75,6 +76,7 @@ private:
 
   std::string InOptions(std::string text) const;
 
+  mutable std::set<std::string> Warned;     ///< The warnings so far.
   std::map<std::string, std::string> Hints; ///< By the name of a class.
   bool Quiet;
   bool ShowProgress;

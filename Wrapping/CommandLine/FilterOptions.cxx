@@ -7,6 +7,7 @@
 #include "vtkJetFitting.h"
 #include "vtkRidgeExtraction.h"
 #include "vtkRidgeSharpnessFilter.h"
+#include "vtkSalientRidges.h"
 #include "vtkUmbilicDetection.h"
 
 #include <algorithm>
@@ -230,6 +231,46 @@ void AddSharpness(CLI::App& app, vtkRidgeSharpnessFilter* filter)
   group.Flag(
     "--keep-crest-only", [filter](bool on) { filter->SetCrestOnly(on); },
     "keep only crest lines of what is extracted");
+}
+
+void AddSalient(CLI::App& app, vtkSalientRidges* filter)
+{
+  OptionGroup group(app, "Salient lines");
+  group.Number<double>(
+    "--fold-angle", "DEGREES", filter->GetFoldAngle(),
+    { filter->GetFoldAngleMinValue(), filter->GetFoldAngleMaxValue() },
+    [=](double value) { filter->SetFoldAngle(value); },
+    "angle by which the surface folds somewhere along every line; more gives fewer lines");
+  group.Number<double>(
+    "--relative-scale", "SHARE", filter->GetRelativeScale(),
+    { filter->GetRelativeScaleMinValue(), filter->GetRelativeScaleMaxValue() },
+    [=](double value) { filter->SetRelativeScale(value); },
+    "size of the smallest features, as a share of the model's diameter");
+  group.Number<double>(
+    "--hysteresis", "SHARE", filter->GetHysteresis(),
+    { filter->GetHysteresisMinValue(), filter->GetHysteresisMaxValue() },
+    [=](double value) { filter->SetHysteresis(value); },
+    "share of --fold-angle by which a line folds everywhere");
+  group.Number<double>(
+    "--longest-gap", "SCALES", filter->GetLongestGap(),
+    { filter->GetLongestGapMinValue(), filter->GetLongestGapMaxValue() },
+    [=](double value) { filter->SetLongestGap(value); },
+    "longest gap along a ridge that is bridged, in units of the scale");
+  group.Number<double>(
+    "--least-mass", "SHARE", filter->GetLeastMass(),
+    { filter->GetLeastMassMinValue(), filter->GetLeastMassMaxValue() },
+    [=](double value) { filter->SetLeastMass(value); },
+    "least mass of a line: its length, over the model's diameter, if it folded by --fold-angle "
+    "everywhere");
+  group.Number<double>(
+    "--noise-factor", "DEVIATIONS", filter->GetNoiseFactor(),
+    { filter->GetNoiseFactorMinValue(), filter->GetNoiseFactorMaxValue() },
+    [=](double value) { filter->SetNoiseFactor(value); },
+    "number of standard deviations of noise that curvatures have to exceed; 0 does not estimate "
+    "noise");
+  group.Flag(
+    "--not-crest-only", [=](bool on) { filter->SetCrestOnly(!on); },
+    "keep also ridges of the smaller of both curvatures");
 }
 
 } // namespace program

@@ -16,6 +16,7 @@ class App;
 class vtkJetFitting;
 class vtkRidgeExtraction;
 class vtkRidgeSharpnessFilter;
+class vtkSalientRidges;
 class vtkUmbilicDetection;
 
 namespace program
@@ -25,6 +26,7 @@ void AddJetFitting(CLI::App& app, vtkJetFitting* filter);
 void AddUmbilics(CLI::App& app, vtkUmbilicDetection* filter);
 void AddRidges(CLI::App& app, vtkRidgeExtraction* filter);
 void AddSharpness(CLI::App& app, vtkRidgeSharpnessFilter* filter);
+void AddSalient(CLI::App& app, vtkSalientRidges* filter);
 
 } // namespace program
 

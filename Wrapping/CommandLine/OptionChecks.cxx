@@ -51,6 +51,54 @@ void CheckEffects(const CLI::App& app, const Options& options, const Filters& fi
   }
 }
 
+bool IsOfGroup(const CLI::Option* option, std::initializer_list<const char*> groups)
+{
+  return std::any_of(groups.begin(), groups.end(),
+    [option](const char* group) { return option->get_group() == group; });
+}
+
+/// An option given that only works with one of both kinds of lines; empty if there is none.
+std::string OptionOf(const CLI::App& app, Lines lines)
+{
+  for (const CLI::Option* option : app.get_options())
+  {
+    const bool isOfComplete =
+      IsOfGroup(option, { "Jet fitting", "Umbilics", "Ridges", "Filter" }) ||
+      option->check_name("--check") || option->check_name("--strict");
+    const bool isOfKind =
+      lines == Lines::Complete ? isOfComplete : IsOfGroup(option, { "Salient lines" });
+    if (option->count() > 0 && isOfKind)
+    {
+      return option->get_name();
+    }
+  }
+  return {};
+}
+
+/// Settles which lines are wanted if the options say so. The example surface is smooth.
+void CheckLines(const CLI::App& app, Options& options)
+{
+  const std::string complete = OptionOf(app, Lines::Complete);
+  const std::string salient = OptionOf(app, Lines::Salient);
+  if (options.lines == Lines::ByData)
+  {
+    if (!complete.empty() && !salient.empty())
+    {
+      throw Contradiction(salient + " is for salient lines, " + complete + " for all ridges");
+    }
+    const bool isExample = options.mesh.empty();
+    options.lines = !salient.empty()   ? Lines::Salient
+      : !complete.empty() || isExample ? Lines::Complete
+                                       : Lines::ByData;
+  }
+  const std::string& idle = options.lines == Lines::Complete ? salient : complete;
+  if (options.lines != Lines::ByData && !idle.empty())
+  {
+    throw Contradiction(idle + " has no effect with " +
+      (options.lines == Lines::Complete ? "--complete" : "--salient"));
+  }
+}
+
 void CheckFit(const Filters& filters)
 {
   constexpr int fourthOrder = 4;
@@ -84,7 +132,7 @@ void CheckChecks(const CLI::App& app, const Options& options, const Filters& fil
 
 } // namespace
 
-void CheckOptions(const CLI::App& app, const Options& options, const Filters& filters)
+void CheckOptions(const CLI::App& app, Options& options, const Filters& filters)
 {
   if (app.count("MESH") > 0 && options.mesh.empty())
   {
@@ -107,6 +155,7 @@ void CheckOptions(const CLI::App& app, const Options& options, const Filters& fi
       throw Contradiction("--view and --up need a direction, which 0,0,0 is not");
     }
   }
+  CheckLines(app, options);
   CheckEffects(app, options, filters);
   CheckFit(filters);
   CheckChecks(app, options, filters);

@@ -21,7 +21,8 @@ public:
 };
 
 /// Throws Contradiction if options exclude each other, or if one has no effect with the others.
-void CheckOptions(const CLI::App& app, const Options& options, const Filters& filters);
+/// Sets which lines are wanted if the options say so.
+void CheckOptions(const CLI::App& app, Options& options, const Filters& filters);
 
 } // namespace program
 

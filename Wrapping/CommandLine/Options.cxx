@@ -66,6 +66,20 @@ void AddInput(CLI::App& app, Options& options, vtkRidgeExampleSource* example)
     ->excludes(mesh);
 }
 
+void AddLines(CLI::App& app, Options& options)
+{
+  OptionGroup group(app, "Lines");
+  CLI::Option* complete = group.Flag(
+    "--complete", [&options](bool) { options.lines = Lines::Complete; },
+    "find all ridges and umbilics, as on a smooth surface");
+  group
+    .Flag(
+      "--salient", [&options](bool) { options.lines = Lines::Salient; },
+      "find the main feature lines, as on a scan or a part; without either option, an option of "
+      "one of them decides or, if there is none, the noise of MESH")
+    ->excludes(complete);
+}
+
 void SetPictureSize(const std::string& text, std::array<int, 2>& size)
 {
   constexpr int least = 64;
@@ -86,7 +100,8 @@ void AddOutput(CLI::App& app, Options& options)
 {
   OptionGroup group(app, "Output");
   group.Text("-o,--output", "PREFIX", options.output,
-    "write PREFIX-ridges.vtp, PREFIX-umbilics.vtp and PREFIX.png [name of MESH, or ridges]");
+    "write PREFIX-ridges.vtp, PREFIX-umbilics.vtp and PREFIX.png [name of "
+    "MESH, or ridges]");
   group.Flag(
     "--write-mesh", [&options](bool on) { options.writeMesh = on; },
     "write PREFIX-mesh.vtp too: the mesh with the computed arrays");
@@ -161,19 +176,23 @@ void CompleteOutput(Options& options)
 std::optional<int> ParseCommandLine(int argc, char** argv, Options& options, Filters& filters)
 {
   CLI::App app("Finds the ridges and umbilics of a triangle mesh and draws them.", "vtkridges");
-  app.formatter(std::make_shared<HelpFormatter>(std::vector<std::string>{ "MESH", "--orient",
-    "--surface", "--neighborhood", "--minimum-number-of-points", "--crest-only",
-    "--minimum-sharpness", "--keep", "--output", "--write-mesh", "--check", "--strict",
-    "--no-picture", "--view", "--quiet", "--help", "--help-all", "--version" }));
+  app.formatter(std::make_shared<HelpFormatter>(
+    std::vector<std::string>{ "MESH", "--orient", "--surface", "--complete", "--salient",
+      "--neighborhood", "--minimum-number-of-points", "--crest-only", "--minimum-sharpness",
+      "--keep", "--fold-angle", "--relative-scale", "--output", "--write-mesh", "--check",
+      "--strict", "--no-picture", "--view", "--quiet", "--help", "--help-all", "--version" }));
   app.set_help_flag(); // Added again at the end, to be listed there.
   AddInput(app, options, filters.example);
+  AddLines(app, options);
   AddJetFitting(app, filters.jetFitting);
   AddUmbilics(app, filters.umbilics);
   AddRidges(app, filters.ridges);
   AddSharpness(app, filters.sharpness);
+  AddSalient(app, filters.salient);
   AddOutput(app, options);
   AddGeneral(app, options);
   app.footer("Defaults are in brackets. A line is a part of a ridge that has one type.\n"
+             "Of salient lines, red ones are crests and blue ones valleys.\n"
              "\n"
              "Colours: blue and green are ridges of the maximum principal curvature, elliptic\n"
              "and hyperbolic; red and yellow are those of the minimum. Along its curvature\n"
@@ -183,6 +202,8 @@ std::optional<int> ParseCommandLine(int argc, char** argv, Options& options, Fil
              "error in a filter); 2 wrong usage; 3 a check failed, with --strict.\n"
              "\n"
              "Examples:\n"
+             "  vtkridges scan.ply\n"
+             "  vtkridges scan.ply --salient --fold-angle 25\n"
              "  vtkridges scan.ply --minimum-number-of-points 200 --minimum-sharpness 300\n"
              "  vtkridges part.stl --crest-only --output pictures/part\n"
              "  vtkridges --surface ellipsoid --view 1,-1,1 --output ellipsoid\n"

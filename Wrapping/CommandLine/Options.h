@@ -3,6 +3,7 @@
 #ifndef Options_h
 #define Options_h
 
+#include "LineChoice.h"
 #include "Picture.h"
 #include "Repair/RepairMesh.h"
 
@@ -12,6 +13,7 @@
 #include "vtkRidgeExampleSource.h"
 #include "vtkRidgeExtraction.h"
 #include "vtkRidgeSharpnessFilter.h"
+#include "vtkSalientRidges.h"
 #include "vtkUmbilicDetection.h"
 
 #include <optional>
@@ -20,7 +22,7 @@
 namespace program
 {
 
-/// The pipeline. The options of the command line are kept nowhere but in its filters.
+/// The pipelines. The options of the command line are kept nowhere but in its filters.
 struct Filters
 {
   vtkNew<vtkRidgeExampleSource> example;
@@ -29,6 +31,7 @@ struct Filters
   vtkNew<vtkRidgeExtraction> ridges;
   vtkNew<vtkRidgeCoherence> coherence;
   vtkNew<vtkRidgeSharpnessFilter> sharpness;
+  vtkNew<vtkSalientRidges> salient; ///< From the mesh, instead of the others.
 };
 
 /// What is no property of a filter.
@@ -36,6 +39,7 @@ struct Options
 {
   std::string mesh; ///< Empty: the example surface.
   RepairOptions repair;
+  Lines lines = Lines::ByData;
   std::string output; ///< Path and beginning of the names of the files written.
   bool writeMesh = false;
   bool check = false;

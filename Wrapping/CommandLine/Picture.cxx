@@ -36,11 +36,11 @@ namespace program
 {
 
 const std::array<RidgeStyle, 5> RidgeStyles{ {
-  { 1, "maximum, elliptic", "blue", { 0.05, 0.25, 0.85 } },
-  { 2, "maximum, hyperbolic", "green", { 0.0, 0.55, 0.15 } },
-  { 3, "minimum, elliptic", "red", { 0.85, 0.05, 0.05 } },
-  { 4, "minimum, hyperbolic", "yellow", { 0.95, 0.62, 0.0 } },
-  { 0, "undecided", "grey", { 0.35, 0.35, 0.35 } },
+  { 1, "maximum, elliptic", "valley", "blue", { 0.05, 0.25, 0.85 } },
+  { 2, "maximum, hyperbolic", "", "green", { 0.0, 0.55, 0.15 } },
+  { 3, "minimum, elliptic", "crest", "red", { 0.85, 0.05, 0.05 } },
+  { 4, "minimum, hyperbolic", "", "yellow", { 0.95, 0.62, 0.0 } },
+  { 0, "undecided", "", "grey", { 0.35, 0.35, 0.35 } },
 } };
 
 namespace
@@ -169,6 +169,7 @@ void AddUmbilics(vtkRenderer* renderer, vtkPolyData* umbilics, const View& view,
 
 std::vector<LegendRow> LegendRows(vtkPolyData* ridges, vtkPolyData* umbilics)
 {
+  const bool areSalient = umbilics == nullptr;
   std::vector<LegendRow> rows;
   std::set<int> types;
   vtkDataArray* type = ridges->GetCellData()->GetArray(vtkRidgesArrayNames::RidgeType);
@@ -180,11 +181,12 @@ std::vector<LegendRow> LegendRows(vtkPolyData* ridges, vtkPolyData* umbilics)
   {
     if (types.count(style.type) > 0)
     {
-      rows.push_back({ style.name, style.color, false });
+      rows.push_back({ areSalient ? style.salientName : style.name, style.color, false });
     }
   }
   std::set<bool> signs;
-  vtkDataArray* index = umbilics->GetPointData()->GetArray(vtkRidgesArrayNames::Index);
+  vtkDataArray* index =
+    areSalient ? nullptr : umbilics->GetPointData()->GetArray(vtkRidgesArrayNames::Index);
   for (vtkIdType i = 0; index && i < index->GetNumberOfTuples(); ++i)
   {
     signs.insert(index->GetTuple1(i) > 0.0);
@@ -249,8 +251,12 @@ vtkSmartPointer<vtkImageData> DrawPicture(
   // Thickness in pixels of a picture 1200 high; half of it for a thicket of lines.
   const double pixel = 2.0 * view.scale / 1200.0;
   const bool isThicket = ridges->GetNumberOfCells() > 5000;
-  AddRidges(renderer, ridges, view, (isThicket ? 1.3 : 2.6) * pixel);
-  AddUmbilics(renderer, umbilics, view, (umbilics->GetNumberOfPoints() > 200 ? 4.0 : 7.0) * pixel);
+  AddRidges(renderer, ridges, view, (isThicket ? 1.3 : umbilics ? 2.6 : 3.6) * pixel);
+  if (umbilics)
+  {
+    const bool areMany = umbilics->GetNumberOfPoints() > 200;
+    AddUmbilics(renderer, umbilics, view, (areMany ? 4.0 : 7.0) * pixel);
+  }
   AddLegend(renderer, LegendRows(ridges, umbilics), options.size, view, points);
   SetUpCamera(renderer->GetActiveCamera(), view);
   renderer->AutomaticLightCreationOff();

@@ -16,8 +16,9 @@ namespace program
 /// How a type of ridges is called and drawn. Colours are the paper's, in shades that read on grey.
 struct RidgeStyle
 {
-  int type;         ///< Value of the RidgeType array.
-  const char* name; ///< What it is.
+  int type;                ///< Value of the RidgeType array.
+  const char* name;        ///< What it is.
+  const char* salientName; ///< What it is among salient lines; empty: it is not.
   const char* colorName;
   std::array<double, 3> color;
 };
@@ -34,7 +35,8 @@ struct PictureOptions
 /// Throws Failure if there is nothing to draw on; VTK would abort the program.
 void CheckDisplay();
 
-/// Draws the mesh, the ridges and the umbilics, with a legend.
+/// Draws the mesh, the ridges and the umbilics, with a legend. Without umbilics (null) the ridges
+/// are salient lines: thicker, and called crests and valleys.
 vtkSmartPointer<vtkImageData> DrawPicture(
   vtkPolyData* mesh, vtkPolyData* ridges, vtkPolyData* umbilics, const PictureOptions& options);
 

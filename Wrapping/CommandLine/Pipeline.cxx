@@ -63,6 +63,7 @@ vtkSmartPointer<vtkPolyData> ReadAndRepair(const Options& options, Stages& stage
       }
     });
   WarnOfRepair(file, report, stages);
+  results.isInsideOut = report.isInsideOut;
   stages.SetHint("vtkPolyDataNormals",
     report.orientation.oddEdges > 0
       ? "the surface is one-sided, as a Moebius strip is: no orientation suits all of it"
@@ -83,6 +84,12 @@ vtkIdType CountPoints(vtkPolyData* fitted, int status)
     count += (static_cast<int>(array->GetTuple1(i)) & status) != 0 ? 1 : 0;
   }
   return count;
+}
+
+void RunStage(Stages& stages, const char* name, vtkAlgorithm* filter)
+{
+  stages.Run(name, "see the options of this stage in vtkridges --help-all", filter,
+    [filter] { filter->Update(); });
 }
 
 /// Fails if no point has a fit: then there is nothing to find.
@@ -108,44 +115,21 @@ std::string FitAdvice(vtkPolyData* fitted)
     : "see Jet fitting in vtkridges --help-all";
 }
 
-} // namespace
-
-void RunFilters(const Options& options, Filters& filters, Stages& stages, Results& results)
+/// The ridges of all points of the mesh, from its fits on.
+void RunComplete(const Options& options, Filters& filters, Stages& stages, Results& results)
 {
-  const std::string seeHelp = "see the options of this stage in vtkridges --help-all";
-  const auto run = [&stages, &seeHelp](const char* name, vtkAlgorithm* filter)
-  { stages.Run(name, seeHelp, filter, [filter] { filter->Update(); }); };
-  if (options.mesh.empty())
-  {
-    results.name = "example";
-    run("read", filters.example);
-    filters.jetFitting->SetInputConnection(filters.example->GetOutputPort());
-  }
-  else
-  {
-    results.name = options.mesh;
-    filters.jetFitting->SetInputData(ReadAndRepair(options, stages, results));
-  }
   filters.umbilics->SetInputConnection(filters.jetFitting->GetOutputPort());
   filters.ridges->SetInputConnection(filters.umbilics->GetOutputPort());
   filters.sharpness->SetInputConnection(filters.ridges->GetOutputPort());
-  vtkJetFitting* jetFitting = filters.jetFitting;
-  stages.Run(
-    "jet fitting", [jetFitting] { return FitAdvice(jetFitting->GetOutput()); }, jetFitting,
-    [jetFitting]
-    {
-      jetFitting->Update();
-      CheckFits(jetFitting->GetOutput());
-    });
-  run("umbilics", filters.umbilics);
-  run("ridges", filters.ridges);
-  run("filter", filters.sharpness);
+  RunStage(stages, "umbilics", filters.umbilics);
+  RunStage(stages, "ridges", filters.ridges);
+  RunStage(stages, "filter", filters.sharpness);
   if (options.check)
   {
     filters.coherence->SetInputConnection(0, filters.umbilics->GetOutputPort(0));
     filters.coherence->SetInputConnection(1, filters.ridges->GetOutputPort());
     filters.coherence->SetInputConnection(2, filters.umbilics->GetOutputPort(1));
-    run("checks", filters.coherence);
+    RunStage(stages, "checks", filters.coherence);
     results.checks = filters.coherence->GetOutput();
   }
   results.mesh = filters.umbilics->GetOutput();
@@ -155,6 +139,67 @@ void RunFilters(const Options& options, Filters& filters, Stages& stages, Result
   results.umbilics = vtkPolyData::SafeDownCast(filters.umbilics->GetOutput(1));
   results.allRidges = filters.ridges->GetOutput();
   results.ridges = filters.sharpness->GetOutput();
+}
+
+void RunSalient(vtkPolyData* mesh, vtkSalientRidges* salient, Stages& stages, Results& results)
+{
+  salient->SetInputData(mesh);
+  RunStage(stages, "salient lines", salient);
+  results.mesh = vtkPolyData::SafeDownCast(salient->GetOutput(vtkSalientRidges::MESH));
+  CheckFits(results.mesh);
+  results.umbilics = vtkPolyData::SafeDownCast(salient->GetOutput(vtkSalientRidges::UMBILICS));
+  results.ridges = salient->GetOutput();
+  results.areSalient = true;
+  results.allRidges = results.ridges;
+}
+
+} // namespace
+
+void RunFilters(const Options& options, Filters& filters, Stages& stages, Results& results)
+{
+  vtkSmartPointer<vtkPolyData> mesh;
+  if (options.mesh.empty())
+  {
+    results.name = "example";
+    RunStage(stages, "read", filters.example);
+    mesh = filters.example->GetOutput();
+  }
+  else
+  {
+    results.name = options.mesh;
+    mesh = ReadAndRepair(options, stages, results);
+  }
+  Lines lines = options.lines;
+  if (lines != Lines::Salient)
+  {
+    vtkJetFitting* jetFitting = filters.jetFitting;
+    jetFitting->SetInputData(mesh);
+    stages.Run(
+      "jet fitting", [jetFitting] { return FitAdvice(jetFitting->GetOutput()); }, jetFitting,
+      [jetFitting]
+      {
+        jetFitting->Update();
+        CheckFits(jetFitting->GetOutput());
+      });
+  }
+  if (lines == Lines::ByData)
+  {
+    const LineChoice choice = ChooseLines(filters.jetFitting->GetOutput());
+    lines = choice.lines;
+    results.lineChoice = choice.reason;
+  }
+  if (lines == Lines::Salient)
+  {
+    RunSalient(mesh, filters.salient, stages, results);
+  }
+  else
+  {
+    if (results.isInsideOut) // as vtkSalientRidges warns itself
+    {
+      stages.Warn("the surface is inside out: maximum and minimum change places", "add --orient");
+    }
+    RunComplete(options, filters, stages, results);
+  }
 }
 
 } // namespace program

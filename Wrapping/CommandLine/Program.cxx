@@ -129,7 +129,8 @@ vtkSmartPointer<vtkImageData> Draw(
     // Where both parts of the blend and the valley between them are seen.
     pictureOptions.view = { 1.0, -1.0, 0.4 };
   }
-  return DrawPicture(results.mesh, results.ridges, results.umbilics, pictureOptions);
+  vtkPolyData* umbilics = results.areSalient ? nullptr : results.umbilics;
+  return DrawPicture(results.mesh, results.ridges, umbilics, pictureOptions);
 }
 
 /// More threads than processors gain nothing, and some back ends complain.

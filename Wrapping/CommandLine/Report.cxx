@@ -135,6 +135,10 @@ void PrintMesh(std::ostream& os, const Results& results, const EdgeCounts& edges
   {
     PrintRow(os, "degraded", "points " + text);
   }
+  if (!results.lineChoice.empty())
+  {
+    PrintRow(os, "lines", results.lineChoice);
+  }
   if (results.selectedRings > 0)
   {
     PrintRow(os, "fit", std::to_string(results.selectedRings) + " rings, chosen automatically");
@@ -221,6 +225,33 @@ void PrintRidges(std::ostream& os, const Results& results)
   }
 }
 
+void PrintSalient(std::ostream& os, vtkPolyData* lines)
+{
+  vtkCellData* data = lines->GetCellData();
+  vtkDataArray* type = data->GetArray(names::RidgeType);
+  vtkDataArray* length = data->GetArray(names::Length);
+  vtkDataArray* fold = data->GetArray(names::FoldAngle);
+  os << "\n" << Format("%-30s %8s %12s %14s\n", "salient lines", "lines", "length", "largest fold");
+  for (const RidgeStyle& style : RidgeStyles)
+  {
+    long long count = 0;
+    double sum = 0.0;
+    double largest = 0.0;
+    for (vtkIdType i = 0; i < lines->GetNumberOfCells(); ++i)
+    {
+      const bool isMeant = static_cast<int>(type->GetTuple1(i)) == style.type;
+      count += isMeant ? 1 : 0;
+      sum += isMeant ? length->GetTuple1(i) : 0.0;
+      largest = isMeant ? std::max(largest, fold->GetTuple1(i)) : largest;
+    }
+    if (*style.salientName)
+    {
+      os << Format("  %-20s %-7s %8lld %12.5g %10.3g deg\n", style.salientName, style.colorName,
+        count, sum, largest);
+    }
+  }
+}
+
 } // namespace
 
 void PrintReport(std::ostream& os, const Results& results,
@@ -229,7 +260,14 @@ void PrintReport(std::ostream& os, const Results& results,
   const EdgeCounts edges = CountEdges(results.mesh);
   PrintMesh(os, results, edges);
   PrintUmbilics(os, results, edges.border == 0 && edges.nonManifold == 0);
-  PrintRidges(os, results);
+  if (results.areSalient)
+  {
+    PrintSalient(os, results.ridges);
+  }
+  else
+  {
+    PrintRidges(os, results);
+  }
   if (results.checks)
   {
     PrintChecks(os, results.checks);

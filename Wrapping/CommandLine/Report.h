@@ -24,6 +24,9 @@ struct Results
   vtkPolyData* allRidges = nullptr; ///< Before the filter.
   vtkPolyData* ridges = nullptr;    ///< After it.
   vtkTable* checks = nullptr;       ///< Of all ridges, or null.
+  bool isInsideOut = false;         ///< Whether the normals of a closed mesh point inwards.
+  bool areSalient = false;          ///< Whether the ridges are salient lines.
+  std::string lineChoice;           ///< Which lines the data decided for, and why; or empty.
   std::size_t joinedPoints = 0;     ///< Points of the file that became one with others.
   int selectedRings = 0;            ///< Chosen by the fit; 0 if it did not choose.
 };

@@ -179,4 +179,24 @@ Orientation OrientFaces(PolygonMesh& mesh)
   return result;
 }
 
+bool IsInsideOut(const PolygonMesh& mesh)
+{
+  bool isClosed = mesh.NumberOfFaces() > 0;
+  ForEachEdge(SortedSides(mesh),
+    [&isClosed](auto first, auto last)
+    { isClosed &= last - first == 2 && first->isForward != (first + 1)->isForward; });
+  if (!isClosed)
+  {
+    return false;
+  }
+  const Vector& apex = mesh.points[static_cast<std::size_t>(mesh.FaceAt(0)[0])];
+  double area = 0.0;
+  double volume = 0.0;
+  for (std::size_t f = 0; f < mesh.NumberOfFaces(); ++f)
+  {
+    Measure(mesh, mesh.FaceAt(f), apex, area, volume);
+  }
+  return volume < 0.0;
+}
+
 } // namespace program

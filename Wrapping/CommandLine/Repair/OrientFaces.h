@@ -24,6 +24,9 @@ struct Orientation
  */
 Orientation OrientFaces(PolygonMesh& mesh);
 
+/// Whether the mesh is closed and consistently oriented, but inwards.
+bool IsInsideOut(const PolygonMesh& mesh);
+
 } // namespace program
 
 #endif

@@ -14,6 +14,7 @@ RepairReport RepairMesh(PolygonMesh& mesh, const RepairOptions& options)
   {
     report.orientation = OrientFaces(mesh);
   }
+  report.isInsideOut = IsInsideOut(mesh);
   return report;
 }
 
