@@ -154,8 +154,8 @@ TEST(ClosedMeshes, SmallOnesHaveTheIndexSumOfTheirTopologyAndNoLooseRidges)
     GTEST_SKIP() << "no meshes in " << RIDGES_MESH_DIRECTORY;
   }
   const Found found = CheckClosedMeshes(1, Large);
-  // Without prim.off, which has more faces than it announces.
-  EXPECT_EQ(found.checked, 69);
+  // Without prim.off, which has more faces than it announces. CGAL 6.0 has three meshes more.
+  EXPECT_GE(found.checked, 69);
   EXPECT_EQ(found.opened, 0);
 }
 
@@ -166,6 +166,6 @@ TEST(ClosedMeshes, LargeOnesHaveTheIndexSumOfTheirTopologyAndNoLooseRidges)
     GTEST_SKIP() << "no meshes in " << RIDGES_MESH_DIRECTORY;
   }
   const Found found = CheckClosedMeshes(Large, VTK_ID_MAX);
-  EXPECT_EQ(found.checked, 14);
+  EXPECT_GE(found.checked, 14); // CGAL 6.0 has one more.
   EXPECT_EQ(found.opened, 0);
 }

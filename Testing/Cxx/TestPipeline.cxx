@@ -259,6 +259,7 @@ TEST(Pipeline, AbortGivesEmptyOutputAndTheNextRunIsComplete)
     {
       EXPECT_TRUE(IsEmpty(filter->GetOutput(port))) << filter->GetClassName() << " " << port;
     }
+    filter->SetAbortExecute(0); // VTK after 9.1 leaves it to those who have set it
     filter->Modified();
     EXPECT_TRUE(chain.Bytes() == whole) << filter->GetClassName();
   }

