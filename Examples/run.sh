@@ -2,8 +2,7 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkRidges contributors
 # SPDX-License-Identifier: BSD-3-Clause
 # Builds the program vtkridges and draws the ridges of a mesh, of an example surface if none is
-# given. "bunny" stands for the Stanford bunny that CGAL's Debian packages carry, with options that
-# suit a scan unless others are given.
+# given. "bunny" stands for the Stanford bunny that CGAL's Debian packages carry.
 #
 #   Examples/run.sh [MESH | bunny] [OPTION OF vtkridges]...
 set -euo pipefail
@@ -26,9 +25,6 @@ if [ "${mesh[*]}" = bunny ]; then
   mkdir -p "$root/build/meshes"
   tar -xzf "$archive" -C "$root/build/meshes" "$bunny"
   mesh=("$root/build/meshes/$bunny")
-  if [ $# -eq 0 ]; then
-    set -- --minimum-number-of-points 200 --minimum-sharpness 300
-  fi
 fi
 
 output=$root/build/output
