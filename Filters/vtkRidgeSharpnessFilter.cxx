@@ -18,6 +18,9 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 
+#include <algorithm>
+#include <array>
+#include <numeric>
 #include <string>
 #include <vector>
 
@@ -80,6 +83,84 @@ private:
   vtkNew<vtkIdList> Ids;
 };
 
+/// A value of lines and the least that is kept.
+struct Measure
+{
+  const char* name;
+  double minimum;
+  const double* values = nullptr; ///< Of the lines; null where nothing depends on them.
+};
+
+/// Lines that are kept or left out as one: each for itself, or those of one ridge.
+class LineGroups
+{
+public:
+  /// Each line for itself, or by the id of its ridge.
+  LineGroups(vtkIdType lines, const vtkIdType* ridgeIds)
+    : GroupOf(static_cast<std::size_t>(lines))
+  {
+    std::iota(this->GroupOf.begin(), this->GroupOf.end(), 0);
+    if (ridgeIds)
+    {
+      std::vector<vtkIdType> ids(ridgeIds, ridgeIds + lines);
+      std::sort(ids.begin(), ids.end());
+      ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+      std::transform(ridgeIds, ridgeIds + lines, this->GroupOf.begin(),
+        [&ids](vtkIdType id)
+        { return std::lower_bound(ids.begin(), ids.end(), id) - ids.begin(); });
+    }
+  }
+
+  /// The sum over the lines of each group that are wanted, in their order.
+  std::vector<double> Sums(const std::vector<bool>& isWanted, const double* values) const
+  {
+    std::vector<double> sums(this->GroupOf.size(), 0.0);
+    for (std::size_t line = 0; line < this->GroupOf.size(); ++line)
+    {
+      sums[this->GroupOf[line]] += isWanted[line] ? values[line] : 0.0;
+    }
+    return sums;
+  }
+
+  /// Takes the wish back for lines whose group is not kept.
+  void Restrict(std::vector<bool>& isWanted, const std::vector<bool>& isKept) const
+  {
+    for (std::size_t line = 0; line < this->GroupOf.size(); ++line)
+    {
+      isWanted[line] = isWanted[line] && isKept[this->GroupOf[line]];
+    }
+  }
+
+  /// Keeps the groups of the lines wanted with the greatest sums, of equal ones those whose first
+  /// line comes first.
+  void KeepGreatest(std::vector<bool>& isWanted, const double* values, std::size_t number) const
+  {
+    const std::vector<double> sums = this->Sums(isWanted, values);
+    std::vector<std::size_t> order;
+    std::vector<bool> isListed(this->GroupOf.size(), false);
+    for (std::size_t line = 0; line < this->GroupOf.size(); ++line)
+    {
+      const std::size_t group = this->GroupOf[line];
+      if (isWanted[line] && !isListed[group])
+      {
+        isListed[group] = true;
+        order.push_back(group);
+      }
+    }
+    std::stable_sort(order.begin(), order.end(),
+      [&sums](std::size_t a, std::size_t b) { return sums[a] > sums[b]; });
+    std::vector<bool> isKept(this->GroupOf.size(), false);
+    for (std::size_t i = 0; i < std::min(number, order.size()); ++i)
+    {
+      isKept[order[i]] = true;
+    }
+    this->Restrict(isWanted, isKept);
+  }
+
+private:
+  std::vector<std::size_t> GroupOf;
+};
+
 } // namespace
 
 bool vtkRidgeSharpnessFilter::KeepsType(int type) const
@@ -125,20 +206,16 @@ int vtkRidgeSharpnessFilter::RequestData(
     "the cell data of the lines" };
   const vtkIdType* type = reader.Ids(cells, names::RidgeType, 0, 5);
   const vtkIdType* crest = this->CrestOnly ? reader.Ids(cells, names::Crest, 0, 2) : nullptr;
-  struct Threshold
+  const vtkIdType* ridgeIds =
+    this->WholeRidges ? reader.Ids(cells, names::RidgeId, 0, VTK_ID_MAX) : nullptr;
+  std::array<Measure, 3> measures{ { { names::Sharpness, this->MinimumSharpness },
+    { names::Strength, this->MinimumStrength }, { names::Length, this->MinimumLength } } };
+  const Measure& rank = measures[this->RankBy];
+  for (Measure& measure : measures)
   {
-    const char* name;
-    double minimum;
-    const double* values;
-  };
-  Threshold thresholds[] = { { names::Sharpness, this->MinimumSharpness, nullptr },
-    { names::Strength, this->MinimumStrength, nullptr },
-    { names::Length, this->MinimumLength, nullptr } };
-  for (Threshold& threshold : thresholds)
-  {
-    if (threshold.minimum > 0.0)
+    if (measure.minimum > 0.0 || (this->MaximumNumber > 0 && &measure == &rank))
     {
-      threshold.values = reader.FiniteDoubles(cells, threshold.name);
+      measure.values = reader.FiniteDoubles(cells, measure.name);
     }
   }
   reader.CheckLines(input);
@@ -149,18 +226,38 @@ int vtkRidgeSharpnessFilter::RequestData(
     return 0;
   }
 
-  LineCopier copier(input, output);
-  for (vtkIdType line = 0; line < input->GetNumberOfLines(); ++line)
+  const vtkIdType lines = input->GetNumberOfLines();
+  const vtkIdType first = input->GetNumberOfVerts(); // lines come behind verts among the cells
+  std::vector<bool> isWanted(static_cast<std::size_t>(lines));
+  for (vtkIdType line = 0; line < lines; ++line)
   {
-    const vtkIdType cell = input->GetNumberOfVerts() + line;
-    bool keeps = this->KeepsType(static_cast<int>(type[cell])) && (!crest || crest[cell] != 0);
-    for (const Threshold& threshold : thresholds)
+    isWanted[line] =
+      this->KeepsType(static_cast<int>(type[first + line])) && (!crest || crest[first + line] != 0);
+  }
+  const LineGroups groups(lines, ridgeIds ? ridgeIds + first : nullptr);
+  const std::vector<bool> isOfType = isWanted;
+  for (const Measure& measure : measures)
+  {
+    if (measure.minimum > 0.0)
     {
-      keeps = keeps && (!threshold.values || threshold.values[cell] >= threshold.minimum);
+      const std::vector<double> sums = groups.Sums(isOfType, measure.values + first);
+      std::vector<bool> isKept(sums.size());
+      std::transform(sums.begin(), sums.end(), isKept.begin(),
+        [&measure](double sum) { return sum >= measure.minimum; });
+      groups.Restrict(isWanted, isKept);
     }
-    if (keeps)
+  }
+  if (this->MaximumNumber > 0)
+  {
+    groups.KeepGreatest(
+      isWanted, rank.values + first, static_cast<std::size_t>(this->MaximumNumber));
+  }
+  LineCopier copier(input, output);
+  for (vtkIdType line = 0; line < lines; ++line)
+  {
+    if (isWanted[line])
     {
-      copier.Copy(line, cell);
+      copier.Copy(line, first + line);
     }
   }
   copier.Finish();
@@ -180,4 +277,7 @@ void vtkRidgeSharpnessFilter::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "KeepMinimumHyperbolic: " << onOff(this->KeepMinimumHyperbolic);
   os << indent << "KeepUndecided: " << onOff(this->KeepUndecided);
   os << indent << "CrestOnly: " << onOff(this->CrestOnly);
+  os << indent << "WholeRidges: " << onOff(this->WholeRidges);
+  os << indent << "MaximumNumber: " << this->MaximumNumber << "\n";
+  os << indent << "RankBy: " << this->RankBy << "\n";
 }

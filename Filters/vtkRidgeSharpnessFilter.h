@@ -5,11 +5,13 @@
  * @brief   keep the salient ridges
  *
  * Passes the polylines of vtkRidgeExtraction that are sharp, strong and long enough and of the
- * chosen types, with all their arrays. Sharpness and strength have no unit, so one threshold suits
- * a model at any scale (RR-5294, section 7.2).
+ * chosen types, with all their arrays: each for itself, or whole ridges, or so many of the first.
+ * Sharpness and strength have no unit, so one threshold suits a model at any scale (RR-5294,
+ * section 7.2).
  *
- * Input: polylines with the cell arrays RidgeType and Crest, and those of Sharpness, Strength
- * and Length for which a minimum is set.
+ * Input: polylines with the cell arrays RidgeType, Crest if CrestOnly is on, RidgeId if WholeRidges
+ * is on, and those of Sharpness, Strength and Length for which a minimum is set or by which lines
+ * are ranked.
  *
  * Output port 0: the polylines kept, and only the points they use.
  *
@@ -91,6 +93,46 @@ public:
   vtkBooleanMacro(CrestOnly, bool);
   ///@}
 
+  ///@{
+  /**
+   * Whether the minima above and MaximumNumber apply to whole ridges: to the sums over the lines of
+   * one RidgeId that are of the chosen types. Default off: to each line. On, a ridge that changes
+   * its type on its way is kept or left out as one, and thresholds may be larger.
+   */
+  vtkSetMacro(WholeRidges, bool);
+  vtkGetMacro(WholeRidges, bool);
+  vtkBooleanMacro(WholeRidges, bool);
+  ///@}
+
+  ///@{
+  /**
+   * How many lines, or whole ridges, are kept at most: the first by RankBy, of equal ones those
+   * that come first in the input. 0 or more; default 0, which means all.
+   */
+  vtkSetClampMacro(MaximumNumber, int, 0, VTK_INT_MAX);
+  vtkGetMacro(MaximumNumber, int);
+  ///@}
+
+  /// See SetRankBy.
+  enum Ranks
+  {
+    SHARPNESS = 0,
+    STRENGTH = 1,
+    LENGTH = 2
+  };
+
+  ///@{
+  /**
+   * What MaximumNumber ranks lines or ridges by. Default SHARPNESS, the better measure (RR-5294,
+   * Fig. 26).
+   */
+  vtkSetClampMacro(RankBy, int, SHARPNESS, LENGTH);
+  vtkGetMacro(RankBy, int);
+  void SetRankByToSharpness() { this->SetRankBy(SHARPNESS); }
+  void SetRankByToStrength() { this->SetRankBy(STRENGTH); }
+  void SetRankByToLength() { this->SetRankBy(LENGTH); }
+  ///@}
+
 protected:
   vtkRidgeSharpnessFilter() = default;
   ~vtkRidgeSharpnessFilter() override = default;
@@ -106,6 +148,9 @@ protected:
   bool KeepMinimumHyperbolic = true;
   bool KeepUndecided = true;
   bool CrestOnly = false;
+  bool WholeRidges = false;
+  int MaximumNumber = 0;
+  int RankBy = SHARPNESS;
 
 private:
   vtkRidgeSharpnessFilter(const vtkRidgeSharpnessFilter&) = delete;

@@ -162,6 +162,9 @@ vtkRidgesStagePropertyMacro(Selection, KeepMinimumElliptic, bool);
 vtkRidgesStagePropertyMacro(Selection, KeepMinimumHyperbolic, bool);
 vtkRidgesStagePropertyMacro(Selection, KeepUndecided, bool);
 vtkRidgesStagePropertyMacro(Selection, CrestOnly, bool);
+vtkRidgesStagePropertyMacro(Selection, WholeRidges, bool);
+vtkRidgesStagePropertyMacro(Selection, MaximumNumber, int);
+vtkRidgesStagePropertyMacro(Selection, RankBy, int);
 
 #undef vtkRidgesStagePropertyMacro
 

@@ -126,6 +126,10 @@ public:
   vtkBooleanMacro(KeepUndecided, bool);
   vtkRidgesStagePropertyMacro(CrestOnly, bool);
   vtkBooleanMacro(CrestOnly, bool);
+  vtkRidgesStagePropertyMacro(WholeRidges, bool);
+  vtkBooleanMacro(WholeRidges, bool);
+  vtkRidgesStagePropertyMacro(MaximumNumber, int);
+  vtkRidgesStagePropertyMacro(RankBy, int);
   ///@}
 
 protected:

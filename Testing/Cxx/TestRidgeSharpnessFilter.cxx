@@ -19,7 +19,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <functional>
+#include <iterator>
+#include <map>
 #include <set>
 #include <sstream>
 
@@ -132,6 +136,105 @@ TEST(RidgeSharpnessFilter, CrestOnlyKeepsCrests)
   vtkNew<vtkRidgeSharpnessFilter> filter;
   filter->CrestOnlyOn();
   ExpectKept(filter, [](const PolylineValues& line) { return line.crest == 1; });
+}
+
+/// Sums of an array over the lines of each ridge.
+std::map<int, double> SumsOfRidges(vtkPolyData* ridges, const char* name)
+{
+  std::map<int, double> sums;
+  for (vtkIdType i = 0; i < ridges->GetNumberOfCells(); ++i)
+  {
+    sums[static_cast<int>(Value(ridges->GetCellData(), names::RidgeId, i))] +=
+      Value(ridges->GetCellData(), name, i);
+  }
+  return sums;
+}
+
+TEST(RidgeSharpnessFilter, ThresholdsApplyToWholeRidges)
+{
+  const std::map<int, double> all = SumsOfRidges(BlendRidges(), names::Length);
+  std::vector<double> lengths;
+  for (const auto& [id, length] : all)
+  {
+    lengths.push_back(length);
+  }
+  std::sort(lengths.begin(), lengths.end());
+  const double minimum = lengths[lengths.size() / 2];
+  vtkNew<vtkRidgeSharpnessFilter> filter;
+  filter->SetInputData(BlendRidges());
+  filter->SetMinimumLength(minimum);
+  filter->WholeRidgesOn();
+  filter->Update();
+  // Those kept are whole, the others are gone.
+  std::map<int, double> expected;
+  std::copy_if(all.begin(), all.end(), std::inserter(expected, expected.end()),
+    [minimum](const auto& entry) { return entry.second >= minimum; });
+  EXPECT_EQ(SumsOfRidges(filter->GetOutput(), names::Length), expected);
+  EXPECT_LT(expected.size(), all.size());
+
+  // A ridge has more than its lines.
+  const vtkIdType whole = filter->GetOutput()->GetNumberOfLines();
+  filter->WholeRidgesOff();
+  filter->Update();
+  EXPECT_LT(filter->GetOutput()->GetNumberOfLines(), whole);
+}
+
+TEST(RidgeSharpnessFilter, OnlyTypesThatAreKeptCountForWholeRidges)
+{
+  vtkNew<vtkRidgeSharpnessFilter> blue;
+  blue->SetInputData(BlendRidges());
+  blue->KeepMaximumHyperbolicOff();
+  blue->KeepMinimumEllipticOff();
+  blue->KeepMinimumHyperbolicOff();
+  blue->KeepUndecidedOff();
+  blue->Update();
+  vtkNew<vtkPolyData> blueOnly;
+  blueOnly->DeepCopy(blue->GetOutput());
+  double longest = 0.0;
+  for (const auto& [id, length] : SumsOfRidges(blueOnly, names::Length))
+  {
+    longest = std::max(longest, length);
+  }
+  blue->WholeRidgesOn();
+  blue->SetMinimumLength(longest);
+  blue->Update();
+  EXPECT_EQ(SumsOfRidges(blue->GetOutput(), names::Length).size(), 1u);
+  blue->SetMinimumLength(std::nextafter(longest, 2.0 * longest));
+  blue->Update();
+  EXPECT_TRUE(IsEmpty(blue->GetOutput()));
+}
+
+TEST(RidgeSharpnessFilter, KeepsTheFirst)
+{
+  const std::pair<int, const char*> ranks[] = { { vtkRidgeSharpnessFilter::SHARPNESS,
+                                                  names::Sharpness },
+    { vtkRidgeSharpnessFilter::STRENGTH, names::Strength },
+    { vtkRidgeSharpnessFilter::LENGTH, names::Length } };
+  for (const auto& [rank, name] : ranks)
+  {
+    std::vector<double> values;
+    for (vtkIdType i = 0; i < BlendRidges()->GetNumberOfCells(); ++i)
+    {
+      values.push_back(Value(BlendRidges()->GetCellData(), name, i));
+    }
+    std::sort(values.rbegin(), values.rend());
+    vtkNew<vtkRidgeSharpnessFilter> filter;
+    filter->SetInputData(BlendRidges());
+    filter->SetMaximumNumber(5);
+    filter->SetRankBy(rank);
+    filter->Update();
+    ASSERT_EQ(filter->GetOutput()->GetNumberOfLines(), 5);
+    for (vtkIdType i = 0; i < 5; ++i)
+    {
+      EXPECT_GE(Value(filter->GetOutput()->GetCellData(), name, i), values[4]);
+    }
+    filter->WholeRidgesOn();
+    filter->Update();
+    EXPECT_EQ(SumsOfRidges(filter->GetOutput(), name).size(), 5u);
+    filter->SetMaximumNumber(1000000);
+    filter->Update();
+    EXPECT_EQ(filter->GetOutput()->GetNumberOfLines(), BlendRidges()->GetNumberOfLines());
+  }
 }
 
 TEST(RidgeSharpnessFilter, CarriesAllArraysAndOnlyTheUsedPoints)

@@ -229,6 +229,21 @@ void AddSharpness(CLI::App& app, vtkRidgeSharpnessFilter* filter)
 
   AddKeep(app, filter);
   group.Flag(
+    "--whole-ridges", [filter](bool on) { filter->SetWholeRidges(on); },
+    "apply the minima and --keep-first to whole ridges, summed over the lines of the types kept");
+  group.Number<int>(
+    "--keep-first", "N", filter->GetMaximumNumber(),
+    { filter->GetMaximumNumberMinValue(), filter->GetMaximumNumberMaxValue() },
+    [filter](int value) { filter->SetMaximumNumber(value); },
+    "keep at most so many lines, or whole ridges, the first by --rank-by; 0 keeps all");
+  group.Choice(
+    "--rank-by",
+    { { "sharpness", vtkRidgeSharpnessFilter::SHARPNESS },
+      { "strength", vtkRidgeSharpnessFilter::STRENGTH },
+      { "length", vtkRidgeSharpnessFilter::LENGTH } },
+    filter->GetRankBy(), [filter](int value) { filter->SetRankBy(value); },
+    "what --keep-first ranks by");
+  group.Flag(
     "--keep-crest-only", [filter](bool on) { filter->SetCrestOnly(on); },
     "keep only crest lines of what is extracted");
 }
@@ -239,37 +254,37 @@ void AddSalient(CLI::App& app, vtkSalientRidges* filter)
   group.Number<double>(
     "--fold-angle", "DEGREES", filter->GetFoldAngle(),
     { filter->GetFoldAngleMinValue(), filter->GetFoldAngleMaxValue() },
-    [=](double value) { filter->SetFoldAngle(value); },
+    [filter](double value) { filter->SetFoldAngle(value); },
     "angle by which the surface folds somewhere along every line; more gives fewer lines");
   group.Number<double>(
     "--relative-scale", "SHARE", filter->GetRelativeScale(),
     { filter->GetRelativeScaleMinValue(), filter->GetRelativeScaleMaxValue() },
-    [=](double value) { filter->SetRelativeScale(value); },
+    [filter](double value) { filter->SetRelativeScale(value); },
     "size of the smallest features, as a share of the model's diameter");
   group.Number<double>(
     "--hysteresis", "SHARE", filter->GetHysteresis(),
     { filter->GetHysteresisMinValue(), filter->GetHysteresisMaxValue() },
-    [=](double value) { filter->SetHysteresis(value); },
+    [filter](double value) { filter->SetHysteresis(value); },
     "share of --fold-angle by which a line folds everywhere");
   group.Number<double>(
     "--longest-gap", "SCALES", filter->GetLongestGap(),
     { filter->GetLongestGapMinValue(), filter->GetLongestGapMaxValue() },
-    [=](double value) { filter->SetLongestGap(value); },
+    [filter](double value) { filter->SetLongestGap(value); },
     "longest gap along a ridge that is bridged, in units of the scale");
   group.Number<double>(
     "--least-mass", "SHARE", filter->GetLeastMass(),
     { filter->GetLeastMassMinValue(), filter->GetLeastMassMaxValue() },
-    [=](double value) { filter->SetLeastMass(value); },
+    [filter](double value) { filter->SetLeastMass(value); },
     "least mass of a line: its length, over the model's diameter, if it folded by --fold-angle "
     "everywhere");
   group.Number<double>(
     "--noise-factor", "DEVIATIONS", filter->GetNoiseFactor(),
     { filter->GetNoiseFactorMinValue(), filter->GetNoiseFactorMaxValue() },
-    [=](double value) { filter->SetNoiseFactor(value); },
+    [filter](double value) { filter->SetNoiseFactor(value); },
     "number of standard deviations of noise that curvatures have to exceed; 0 does not estimate "
     "noise");
   group.Flag(
-    "--not-crest-only", [=](bool on) { filter->SetCrestOnly(!on); },
+    "--not-crest-only", [filter](bool on) { filter->SetCrestOnly(!on); },
     "keep also ridges of the smaller of both curvatures");
 }
 

@@ -37,6 +37,7 @@ void CheckEffects(const CLI::App& app, const Options& options, const Filters& fi
     { "--umbilic-joining", isPrincipal, "with --extremality-rule gaussian" },
     { "--extract", isPrincipal, "with --extremality-rule gaussian" },
     { "--keep-crest-only", !filters.ridges->GetCrestOnly(), "with --crest-only" },
+    { "--rank-by", filters.sharpness->GetMaximumNumber() > 0, "without --keep-first" },
     { "--picture-size", hasPicture, "with --no-picture" },
     { "--view", hasPicture, "with --no-picture" },
     { "--up", hasPicture, "with --no-picture" },
