@@ -2,10 +2,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Ways to choose the lines of a scan, side by side at equal total length, as in RR-5294, Fig. 26.
 
-    python3 gallery.py MESH [--picture FILE.png] [--view X,Y,Z] [--up X,Y,Z]
+    python3 gallery.py [MESH] [--picture FILE.png] [--view X,Y,Z] [--up X,Y,Z]
 
 All elliptic ridges of a fit whose scale was chosen by the noise; the strongest and the sharpest of
-them, as long together as the salient lines; and these. MESH is a .ply, .obj, .stl or .vtp file.
+them, as long together as the salient lines; and these. MESH is a .ply, .obj, .stl or .vtp file;
+without it, it is the surface of Fig. 25.
 """
 
 import argparse
@@ -52,17 +53,20 @@ def longest_by(name, ridges, length):
 
 
 parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-parser.add_argument("mesh", help="a .ply, .obj, .stl or .vtp file")
+parser.add_argument("mesh", nargs="?", help="a .ply, .obj, .stl or .vtp file")
 parser.add_argument("--picture", help="a .png file to draw")
 parser.add_argument("--view", type=vector, default=[0.4, 0.3, 1.0], help="from model to viewer")
 parser.add_argument("--up", type=vector, default=[0.0, 1.0, 0.0], help="up in the picture")
 arguments = parser.parse_args()
 
-kind = arguments.mesh.rsplit(".", 1)[-1].lower()
-if kind not in READERS:
-    sys.exit(f"{arguments.mesh}: not one of {', '.join(READERS)}")
-reader = READERS[kind]()
-reader.SetFileName(arguments.mesh)
+if arguments.mesh:
+    kind = arguments.mesh.rsplit(".", 1)[-1].lower()
+    if kind not in READERS:
+        sys.exit(f"{arguments.mesh}: not one of {', '.join(READERS)}")
+    reader = READERS[kind]()
+    reader.SetFileName(arguments.mesh)
+else:
+    reader = vtkridges.vtkRidgeExampleSource()
 triangles = vtkTriangleFilter()
 triangles.SetInputConnection(reader.GetOutputPort())
 mesh = vtkCleanPolyData()  # files as STL have points once a triangle
