@@ -68,22 +68,23 @@ bool FindMinima(
 {
   const ridges::TriangleMesh& mesh = monge.mesh.GetTriangles();
   const ridges::MongeField& field = monge.arrays.GetField();
-  std::vector<std::uint8_t> isSmallest(mesh.NumberOfTriangles(), 0);
-  const auto compareWithNeighbors = [&mesh, &field, &isSmallest](vtkIdType begin, vtkIdType end)
+  std::vector<ridges::Id> smallestAround(mesh.NumberOfPoints(), -1);
+  const auto findSmallest = [&mesh, &field, &smallestAround](vtkIdType begin, vtkIdType end)
   {
-    for (vtkIdType t = begin; t < end; ++t)
+    for (vtkIdType p = begin; p < end; ++p)
     {
-      isSmallest[t] =
-        ridges::MinimizesGapInOneRing(mesh, field, static_cast<ridges::Id>(t)) ? 1 : 0;
+      smallestAround[p] = ridges::SmallestGapAround(mesh, field, static_cast<ridges::Id>(p));
     }
   };
-  if (!vtkRidgesForBatches(filter, mesh.NumberOfTriangles(), 0.1, 0.4, compareWithNeighbors))
+  if (!vtkRidgesForBatches(filter, mesh.NumberOfPoints(), 0.1, 0.4, findSmallest))
   {
     return false;
   }
-  std::vector<ridges::Id> candidates = vtkRidgesWhere(
-    mesh.NumberOfTriangles(), [&isSmallest](ridges::Id t) { return isSmallest[t] != 0; });
+  std::vector<ridges::Id> candidates = vtkRidgesWhere(mesh.NumberOfTriangles(),
+    [&mesh, &smallestAround](ridges::Id t)
+    { return ridges::MinimizesGapInOneRing(mesh, smallestAround, t); });
   const double patchSize = filter->GetPatchSize();
+  std::vector<std::uint8_t> isSmallest(mesh.NumberOfTriangles(), 0);
   vtkRidgesPerThread<ridges::GapMinima> perThread;
   const auto compareInPatch = [&mesh, &field, &isSmallest, &candidates, &perThread, patchSize](
                                 vtkIdType begin, vtkIdType end)

@@ -48,20 +48,28 @@ double TriangleGap(const TriangleMesh& mesh, const MongeField& field, Id triangl
   return (gaps[0] + gaps[1] + gaps[2]) / 3.0;
 }
 
-bool MinimizesGapInOneRing(const TriangleMesh& mesh, const MongeField& field, Id triangle)
+Id SmallestGapAround(const TriangleMesh& mesh, const MongeField& field, Id point)
 {
-  const double gap = TriangleGap(mesh, field, triangle);
-  for (const Id corner : mesh.Corners(triangle))
+  Id smallest = -1;
+  double least = 0.0;
+  for (const Id t : mesh.TrianglesAround(point))
   {
-    for (const Id t : mesh.TrianglesAround(corner))
+    const double gap = TriangleGap(mesh, field, t);
+    if (smallest < 0 || gap < least || (gap == least && ComesBefore(mesh, t, smallest)))
     {
-      if (TriangleGap(mesh, field, t) < gap)
-      {
-        return false;
-      }
+      smallest = t;
+      least = gap;
     }
   }
-  return true;
+  return smallest;
+}
+
+bool MinimizesGapInOneRing(
+  const TriangleMesh& mesh, const std::vector<Id>& smallestAround, Id triangle)
+{
+  const Triangle& corners = mesh.Corners(triangle);
+  return std::all_of(
+    corners.begin(), corners.end(), [&](Id p) { return smallestAround[p] == triangle; });
 }
 
 double ContourIndex(
@@ -89,14 +97,19 @@ GapMinima::GapMinima(const TriangleMesh& mesh, const MongeField& field, double p
 
 bool GapMinima::Minimizes(Id triangle)
 {
-  if (!MinimizesGapInOneRing(this->Mesh_, this->Field_, triangle))
-  {
-    return false;
-  }
+  // Most patches contain a smaller gap near their first triangle.
   const double gap = TriangleGap(this->Mesh_, this->Field_, triangle);
-  const Span<Id> patch = this->Patch_.Grow(triangle, this->PatchSize_);
-  return std::all_of(patch.begin(), patch.end(),
-    [this, &gap](Id t) { return TriangleGap(this->Mesh_, this->Field_, t) >= gap; });
+  const double threshold = this->PatchSize_ * this->Patch_.OneRingGrade(triangle);
+  this->Patch_.Start(triangle);
+  while (this->Patch_.GrowByOne(threshold))
+  {
+    const Span<Id> patch = this->Patch_.Triangles();
+    if (!(TriangleGap(this->Mesh_, this->Field_, patch[patch.size() - 1]) >= gap))
+    {
+      return false;
+    }
+  }
+  return true;
 }
 
 Id GapMinima::NearestSingularTriangle(Span<Id> patch) const

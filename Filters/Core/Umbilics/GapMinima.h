@@ -13,11 +13,17 @@ namespace ridges
 /// The value of k1 - k2 that a triangle is judged by: the mean of those at its corners.
 double TriangleGap(const TriangleMesh& mesh, const MongeField& field, Id triangle);
 
+/// The triangle of the least gap around a point; of equal ones the first by position. -1 if there
+/// is none.
+Id SmallestGapAround(const TriangleMesh& mesh, const MongeField& field, Id point);
+
 /**
- * Whether no triangle that shares a corner with this one has a smaller gap. As a patch contains
- * these triangles, only such a triangle can minimise the gap over its patch: a cheap first test.
+ * Whether no triangle that shares a corner with this one has a smaller gap, given that of the least
+ * around every point. As a patch contains these triangles, only such a triangle can minimise the
+ * gap over its patch: a cheap first test. Of equal ones the first by position passes.
  */
-bool MinimizesGapInOneRing(const TriangleMesh& mesh, const MongeField& field, Id triangle);
+bool MinimizesGapInOneRing(
+  const TriangleMesh& mesh, const std::vector<Id>& smallestAround, Id triangle);
 
 /**
  * Turns of the direction field d1 along a closed contour of points, in the chart that projects on
@@ -36,7 +42,7 @@ class GapMinima
 public:
   GapMinima(const TriangleMesh& mesh, const MongeField& field, double patchSize);
 
-  /// Whether the triangle is a candidate; the costly part, one call per triangle.
+  /// Whether a triangle that does so in its one-ring minimises the gap over its patch.
   bool Minimizes(Id triangle);
 
   /// The umbilics among candidate triangles; none if the monitor stops it.

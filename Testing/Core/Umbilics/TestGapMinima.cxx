@@ -56,10 +56,15 @@ double IndexOfTurningField(double index, int count, bool clockwise)
 std::vector<Umbilic> Detect(const TriangleMesh& mesh, const MongeField& field, double patchSize)
 {
   GapMinima minima(mesh, field, patchSize);
+  std::vector<Id> smallestAround;
+  for (Id p = 0; p < mesh.NumberOfPoints(); ++p)
+  {
+    smallestAround.push_back(SmallestGapAround(mesh, field, p));
+  }
   std::vector<Id> candidates;
   for (Id t = 0; t < mesh.NumberOfTriangles(); ++t)
   {
-    if (minima.Minimizes(t))
+    if (MinimizesGapInOneRing(mesh, smallestAround, t) && minima.Minimizes(t))
     {
       candidates.push_back(t);
     }
@@ -162,4 +167,45 @@ TEST(GapMinima, PatchesDoNotOverlapOnNoise)
       }
     }
   }
+}
+
+//------------------------------------------------------------------------------
+// Where gaps are equal, as around an axis of symmetry, one triangle of a fan stands for all.
+TEST(GapMinima, OfEqualGapsAroundAPointOneIsSmallest)
+{
+  const int count = 100;
+  Mesh fan;
+  fan.AddPoint(Vector3d::Zero());
+  for (int i = 0; i < count; ++i)
+  {
+    const double angle = 2.0 * Pi * i / count;
+    fan.AddPoint(Vector3d(std::cos(angle), std::sin(angle), 0.0));
+  }
+  for (int i = 0; i < count; ++i)
+  {
+    fan.AddTriangle(0, 1 + i, 1 + (i + 1) % count);
+  }
+  const MeshedSurface surface(fan);
+  const TriangleMesh& mesh = surface.Triangles();
+  FieldArrays field(mesh.NumberOfPoints());
+  MongeForm form;
+  form.k1 = 1.0;
+  form.n = Vector3d::UnitZ();
+  form.d1 = Vector3d::UnitX();
+  form.d2 = Vector3d::UnitY();
+  std::vector<Id> smallestAround;
+  for (Id p = 0; p < mesh.NumberOfPoints(); ++p)
+  {
+    field.Set(p, form);
+  }
+  for (Id p = 0; p < mesh.NumberOfPoints(); ++p)
+  {
+    smallestAround.push_back(SmallestGapAround(mesh, field.View(), p));
+  }
+  int found = 0;
+  for (Id t = 0; t < mesh.NumberOfTriangles(); ++t)
+  {
+    found += MinimizesGapInOneRing(mesh, smallestAround, t) ? 1 : 0;
+  }
+  EXPECT_EQ(found, 1);
 }
