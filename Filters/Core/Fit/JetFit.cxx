@@ -225,12 +225,12 @@ void JetFitter::FitInFrame(
     fit.noiseGain = this->NoiseGain(fit, 3);
   }
   fit.status = static_cast<std::uint8_t>(fit.status & ~FitInvalid);
-  // Where points lie in a narrow strip, what is left over in its length is large against what the
-  // surface curves across it.
+  // Where points lie in a narrow strip, or nearly on a curve that is a zero of the polynomial, what
+  // is left over may be large against what the surface curves.
   constexpr double narrow = 0.2;
-  const bool isNarrow = fit.extents.minCoeff() < narrow;
+  const bool isWeak = fit.extents.minCoeff() < narrow || fit.conditionNumber > WellConditionedBelow;
   const bool isLost =
-    isDetermined && degree >= 2 && isNarrow && this->UncertainTurn(fit) > MostTurn;
+    isDetermined && degree >= 2 && isWeak && this->UncertainTurn(fit) > MostTurnOfWeak;
   if (!isDetermined || isLost)
   {
     fit.status |= FitIllConditioned;

@@ -65,8 +65,8 @@ struct JetFit
  * The condition number is the ratio of the first to the last pivot of that factorisation, an
  * estimate of the ratio of the extreme singular values. From `IllConditionedAbove` on the fit is
  * flagged: derivatives of the surface beyond the degree, and noise, are then magnified beyond use.
- * So it is where the points lie in a narrow strip, and the residual makes the curvature across it
- * uncertain by `MostTurn` within the radius.
+ * So it is between `WellConditionedBelow` and that, and where the points lie in a narrow strip, if
+ * the residual makes the curvature uncertain by `MostTurnOfWeak` within the radius.
  *
  * Weights change the least squares, but not the height axis.
  *
@@ -76,9 +76,12 @@ class JetFitter
 {
 public:
   static constexpr double IllConditionedAbove = 1e5;
+  static constexpr double WellConditionedBelow = 2000.0;
 
-  /// Of UncertainTurn, where it matters.
+  /// Of UncertainTurn, in radians: where the surface is steep, and where the points determine the
+  /// polynomial weakly.
   static constexpr double MostTurn = 0.3;
+  static constexpr double MostTurnOfWeak = 0.03;
 
   /// `offsets` has a column per point.
   JetFit Fit(const Eigen::Ref<const Eigen::Matrix3Xd>& offsets, int degree,

@@ -167,11 +167,13 @@ JetFit PointFitter::FitBeforeFold(Id vertex, const JetFit& folded)
   return fit;
 }
 
-/// Lowers the degree as long as the condition number is larger, to 2 at the least.
+/// Lowers the degree as long as the condition number is larger, or the fit is flagged, to 2 at the
+/// least.
 JetFit PointFitter::FitLower(Span<Id> points, const JetFit& fit, double mostCondition)
 {
   JetFit lower = fit;
-  while (lower.degree > 2 && lower.conditionNumber > mostCondition)
+  while (lower.degree > 2 &&
+    (lower.conditionNumber > mostCondition || (lower.status & FitIllConditioned)))
   {
     lower = this->FitTo(points, lower.degree - 1);
   }

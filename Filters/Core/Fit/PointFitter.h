@@ -32,7 +32,7 @@ class PointFitter
 {
 public:
   /// Condition numbers that another ring or a lower degree may improve.
-  static constexpr double GrowAbove = 2000.0;
+  static constexpr double GrowAbove = JetFitter::WellConditionedBelow;
   static constexpr int MostRingsAdded = 4;
 
   /// Gives TriangleMesh::PointNormals, when they are needed.
