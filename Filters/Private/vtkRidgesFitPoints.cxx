@@ -26,13 +26,8 @@ bool IsFinite(const ridges::MongeForm& form)
 
 } // namespace
 
-vtkRidgesFitPoints::Scratch::Scratch(vtkRidgesFitPoints& fit)
-  : fitter(fit.Mesh, fit.Rings, fit.Wanted.rule, fit.Wanted.degree, fit.Wanted.weighting,
-      [&fit]()
-      {
-        std::call_once(fit.NormalsAreMade, [&fit]() { fit.Normals = fit.Mesh.PointNormals(); });
-        return fit.Normals.data();
-      })
+vtkRidgesFitPoints::Scratch::Scratch(const vtkRidgesFitPoints& fit)
+  : fitter(fit.Mesh, fit.Rings, fit.Wanted.rule, fit.Wanted.degree, fit.Wanted.weighting)
   , batches(fit.Mesh, fit.Rings, fit.Wanted.degree, fit.Wanted.weighting)
 {
 }
@@ -134,7 +129,7 @@ void vtkRidgesFitPoints::GrowIllConditioned(Scratch& scratch)
 }
 
 vtkRidgesFitPoints::Verdict vtkRidgesFitPoints::Judge(
-  const ridges::JetBatch& batch, int lane, const Scratch& scratch) const
+  const ridges::JetBatch& batch, int lane, Scratch& scratch) const
 {
   if (!(batch.conditionNumber[lane] <= GrowAbove))
   {

@@ -11,7 +11,6 @@
 #include "Core/Mesh/OrderedRings.h"
 
 #include <memory>
-#include <mutex>
 #include <vector>
 
 /**
@@ -42,7 +41,7 @@ private:
   };
   struct Scratch
   {
-    explicit Scratch(vtkRidgesFitPoints& fit);
+    explicit Scratch(const vtkRidgesFitPoints& fit);
 
     ridges::PointFitter fitter;
     ridges::JetBatchFiller batches;
@@ -59,7 +58,7 @@ private:
   void Take(ridges::Id p, int ringsAdded, Scratch& scratch);
   void FitBatches(int ringsAdded, Scratch& scratch);
   void GrowIllConditioned(Scratch& scratch);
-  Verdict Judge(const ridges::JetBatch& batch, int lane, const Scratch& scratch) const;
+  Verdict Judge(const ridges::JetBatch& batch, int lane, Scratch& scratch) const;
   void StoreGood(ridges::Id p, int ringsAdded, Scratch& scratch);
   void FitAlone(ridges::Id p, ridges::PointFitter::Growth growth, Scratch& scratch);
   void Store(
@@ -70,10 +69,6 @@ private:
   Settings Wanted;
   vtkRidgesMongeOutput& Output;
   const ridges::JetBatchKernel* Kernel = nullptr;
-
-  // Of the points, if anything is to be looked at closely.
-  std::once_flag NormalsAreMade;
-  std::vector<Eigen::Vector3d> Normals;
   vtkRidgesPerThread<Scratch> PerThread;
 };
 

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace ridges
 {
@@ -20,12 +19,12 @@ bool AreNear(const Eigen::Vector3d& a, const Eigen::Vector3d& b)
 } // namespace
 
 PointFitter::PointFitter(const TriangleMesh& mesh, const OrderedRings& rings,
-  const NeighborhoodRule& rule, int degree, Weighting weighting, Normals normals)
+  const NeighborhoodRule& rule, int degree, Weighting weighting)
   : Mesh_(mesh)
   , Rule_(rule)
   , Degree_(degree)
   , Weighting_(weighting)
-  , Normals_(std::move(normals))
+  , Normals_(mesh)
   , Neighborhood_(mesh, rings)
 {
 }
@@ -66,11 +65,10 @@ JetFit PointFitter::FitTo(Span<Id> points, int degree)
   {
     return fit;
   }
-  const Eigen::Vector3d* normals = this->Normals_();
   Eigen::Vector3d mean = Eigen::Vector3d::Zero();
   for (const Id p : points)
   {
-    mean += normals[p];
+    mean += this->Mesh_.PointNormal(p);
   }
   if (!AreNear(fit.frame.col(2), mean) && mean.squaredNorm() > 0.0)
   {
@@ -122,14 +120,17 @@ JetFit PointFitter::FitGrown(Id vertex, const JetFit& first, Span<Id>& points)
 }
 
 /// How many points have normals at such an angle to an axis.
-Id PointFitter::CountBelow(double cosine, Span<Id> points, const Eigen::Vector3d& axis) const
+Id PointFitter::CountBelow(double cosine, Span<Id> points, const Eigen::Vector3d& axis)
 {
-  const Eigen::Vector3d* normals = this->Normals_();
   return static_cast<Id>(std::count_if(points.begin(), points.end(),
-    [normals, &axis, cosine](Id p) { return normals[p].dot(axis) < cosine * normals[p].norm(); }));
+    [this, cosine, &axis](Id p)
+    {
+      const Eigen::Vector3d normal = this->Normals_.At(p);
+      return normal.dot(axis) < cosine * normal.squaredNorm();
+    }));
 }
 
-bool PointFitter::IsSteep(Span<Id> points, const Eigen::Vector3d& axis) const
+bool PointFitter::IsSteep(Span<Id> points, const Eigen::Vector3d& axis)
 {
   constexpr double cosine = 0.3;
   return this->CountBelow(cosine, points, axis) > 0;
@@ -138,7 +139,7 @@ bool PointFitter::IsSteep(Span<Id> points, const Eigen::Vector3d& axis) const
 /// Of the last fit, to these points. Near a right angle the height has an infinite slope, and a
 /// polynomial has nothing to do with it: where it matters, is seen from the residual, or from how
 /// many points there are. A sharp edge may be nearly upright, but it has few points.
-bool PointFitter::FoldsOver(Span<Id> points, const JetFit& fit) const
+bool PointFitter::FoldsOver(Span<Id> points, const JetFit& fit)
 {
   constexpr double upright = 0.1;
   constexpr double opposite = -0.2;
@@ -153,10 +154,13 @@ bool PointFitter::FoldsOver(Span<Id> points, const JetFit& fit) const
 JetFit PointFitter::FitBeforeFold(Id vertex, const JetFit& folded)
 {
   constexpr double cosine = 0.2; // clearly before
-  const Eigen::Vector3d* normals = this->Normals_();
-  const Eigen::Vector3d own = normals[vertex].normalized();
+  const Eigen::Vector3d own = this->Normals_.At(vertex);
   const Span<Id> points = this->Neighborhood_.Gather(vertex, this->Rule_,
-    [normals, &own](Id p) { return normals[p].dot(own) >= cosine * normals[p].norm(); });
+    [this, &own](Id p)
+    {
+      const Eigen::Vector3d normal = this->Normals_.At(p);
+      return normal.dot(own) >= cosine * normal.squaredNorm();
+    });
   JetFit fit = folded;
   if (points.size() >= HeightJet::Size(std::min(2, this->Degree_)))
   {

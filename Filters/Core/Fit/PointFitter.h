@@ -4,9 +4,8 @@
 #define ridges_PointFitter_h
 
 #include "Fit/JetFit.h"
+#include "Mesh/NormalCache.h"
 #include "Mesh/RingNeighborhood.h"
-
-#include <functional>
 
 namespace ridges
 {
@@ -35,11 +34,8 @@ public:
   static constexpr double GrowAbove = JetFitter::WellConditionedBelow;
   static constexpr int MostRingsAdded = 4;
 
-  /// Gives TriangleMesh::PointNormals, when they are needed.
-  using Normals = std::function<const Eigen::Vector3d*()>;
-
   PointFitter(const TriangleMesh& mesh, const OrderedRings& rings, const NeighborhoodRule& rule,
-    int degree, Weighting weighting, Normals normals);
+    int degree, Weighting weighting);
 
   /// Whether the rule allows more rings.
   bool MayGrow() const;
@@ -66,11 +62,11 @@ public:
 
   /// Whether the surface is nearly upright anywhere in a neighbourhood, or beyond. Where it is not,
   /// it does not fold over.
-  bool IsSteep(Span<Id> points, const Eigen::Vector3d& axis) const;
+  bool IsSteep(Span<Id> points, const Eigen::Vector3d& axis);
 
 private:
-  Id CountBelow(double cosine, Span<Id> points, const Eigen::Vector3d& axis) const;
-  bool FoldsOver(Span<Id> points, const JetFit& fit) const;
+  Id CountBelow(double cosine, Span<Id> points, const Eigen::Vector3d& axis);
+  bool FoldsOver(Span<Id> points, const JetFit& fit);
   void SetOffsets(Span<Id> points);
   JetFit FitGrown(Id vertex, const JetFit& first, Span<Id>& points);
   JetFit FitBeforeFold(Id vertex, const JetFit& folded);
@@ -80,7 +76,7 @@ private:
   NeighborhoodRule Rule_;
   int Degree_;
   Weighting Weighting_;
-  Normals Normals_;
+  NormalCache Normals_;
   RingNeighborhood Neighborhood_;
   JetFitter Fitter_;
   Eigen::Matrix3Xd Offsets_;

@@ -245,26 +245,31 @@ Eigen::Vector3d TriangleMesh::AreaNormal(Id t) const
 
 Eigen::Vector3d TriangleMesh::PointNormal(Id p) const
 {
+  // Most fans are small: their normals are computed once.
+  std::array<Eigen::Vector3d, 16> kept;
+  const Span<Id> fan = this->TrianglesAround(p);
   double largest = 0.0;
   double area = 0.0;
-  for (const Id t : this->TrianglesAround(p))
+  for (Id i = 0; i < fan.size(); ++i)
   {
-    const Eigen::Vector3d normal = AreaNormalInOrder(*this, t);
+    const Eigen::Vector3d normal = AreaNormalInOrder(*this, fan[i]);
     largest = std::max(largest, normal.cwiseAbs().maxCoeff());
     area += normal.norm();
+    if (i < static_cast<Id>(kept.size()))
+    {
+      kept[i] = normal;
+    }
   }
   // Rounded to one grain, far below what matters: such sums are exact in any order, so that the
   // numbering does not show even in the last digit.
   constexpr double grainsInLargest = 1 << 20;
   const double grain = largest * grainsInLargest;
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-  for (const Id t : this->TrianglesAround(p))
+  for (Id i = 0; i < fan.size(); ++i)
   {
-    const Eigen::Vector3d normal = AreaNormalInOrder(*this, t);
-    for (int i = 0; i < 3; ++i)
-    {
-      sum[i] += (normal[i] + grain) - grain;
-    }
+    const Eigen::Vector3d normal =
+      i < static_cast<Id>(kept.size()) ? kept[i] : AreaNormalInOrder(*this, fan[i]);
+    sum.array() += (normal.array() + grain) - grain;
   }
   // What is left of triangles that are folded flat is round-off.
   constexpr double roundOff = 1e-8;
@@ -273,16 +278,6 @@ Eigen::Vector3d TriangleMesh::PointNormal(Id p) const
     sum.setZero();
   }
   return sum;
-}
-
-std::vector<Eigen::Vector3d> TriangleMesh::PointNormals() const
-{
-  std::vector<Eigen::Vector3d> normals(this->NumberOfPoints_);
-  for (Id p = 0; p < this->NumberOfPoints_; ++p)
-  {
-    normals[p] = this->PointNormal(p);
-  }
-  return normals;
 }
 
 double TriangleMesh::MeanEdgeLength() const

@@ -106,9 +106,6 @@ public:
   /// that are folded flat.
   Eigen::Vector3d PointNormal(Id p) const;
 
-  /// Those of all points.
-  std::vector<Eigen::Vector3d> PointNormals() const;
-
   /// 0 without edges.
   double MeanEdgeLength() const;
 

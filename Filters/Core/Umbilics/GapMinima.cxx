@@ -68,8 +68,8 @@ bool MinimizesGapInOneRing(
   const TriangleMesh& mesh, const std::vector<Id>& smallestAround, Id triangle)
 {
   const Triangle& corners = mesh.Corners(triangle);
-  return std::all_of(
-    corners.begin(), corners.end(), [&](Id p) { return smallestAround[p] == triangle; });
+  return std::all_of(corners.begin(), corners.end(),
+    [&smallestAround, triangle](Id p) { return smallestAround[p] == triangle; });
 }
 
 double ContourIndex(

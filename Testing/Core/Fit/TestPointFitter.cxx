@@ -25,9 +25,8 @@ struct Fits
   explicit Fits(const Mesh& mesh, int minimumNumberOfPoints = 18)
     : surface(mesh)
     , rings(RingsOf(this->surface.Triangles()))
-    , normals(this->surface.Triangles().PointNormals())
-    , fitter(this->surface.Triangles(), this->rings, Rule(minimumNumberOfPoints), 4,
-        Weighting::Uniform, [this]() { return this->normals.data(); })
+    , fitter(
+        this->surface.Triangles(), this->rings, Rule(minimumNumberOfPoints), 4, Weighting::Uniform)
   {
   }
 
@@ -42,7 +41,6 @@ struct Fits
 
   MeshedSurface surface;
   OrderedRings rings;
-  std::vector<Vector3d> normals;
   PointFitter fitter;
 };
 

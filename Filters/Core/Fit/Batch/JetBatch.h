@@ -88,10 +88,11 @@ struct JetBatchKernel
   static constexpr double Singular = 1e300;
 
   /// A lane is doubtful if its heights are off the polynomial by more than this, as noise in units
-  /// of the radius; if its points spread more than this along the normal, in units of the lesser
-  /// spread across it; or if a triangle of the fan has a cosine to the normal below this. Where the
-  /// surface folds over at least one is so.
+  /// of the radius, and spread more than this along the normal, in units of the lesser spread
+  /// across it; if they spread more than that; or if a triangle of the fan has a cosine to the
+  /// normal below this. Where the surface folds over at least one is so.
   static constexpr double MostNoise = 0.01;
+  static constexpr double MostSpreadOfNoise = 0.02;
   static constexpr double MostSpread = 0.1;
   static constexpr double UprightBelow = 0.1;
 

@@ -17,6 +17,7 @@ struct Frame
   Vec3 u, v, n;
   Vec radius;
   decltype(Vec{} < Vec{}) failed;
+  decltype(Vec{} < Vec{}) bends;   ///< The points spread along n more than noise alone does.
   decltype(Vec{} < Vec{}) mayFold; ///< The points spread much along n, or the fan is sharp.
 };
 
@@ -140,8 +141,14 @@ inline Frame PrincipalFrame(const ridges::JetBatch& batch, Vec3* offsets)
 
   // The two others, of a given sum and product, are at both sides of x where this is negative.
   const Vec sum = 1.0 - t;
-  const Vec x = (1.0 / ridges::JetBatchKernel::MostSpread) * t;
-  frame.mayFold = (x - sum) * x + (m - t * sum) < 0.0 || x > 0.5 * sum;
+  const Vec product = m - t * sum;
+  const auto isSpread = [&t, &sum, &product](double part)
+  {
+    const Vec x = (1.0 / part) * t;
+    return (x - sum) * x + product < 0.0 || x > 0.5 * sum;
+  };
+  frame.mayFold = isSpread(ridges::JetBatchKernel::MostSpread);
+  frame.bends = isSpread(ridges::JetBatchKernel::MostSpreadOfNoise);
 
   // Its eigenvector is orthogonal to the rows of C - t I: the longest of their cross products.
   const Vec3 row0{ c.xx - t, c.xy, c.xz };

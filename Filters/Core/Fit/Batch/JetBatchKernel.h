@@ -57,7 +57,7 @@ inline void StoreDoubt(ridges::JetBatch& batch, const Frame& frame, const Vec& r
   const Vec counts = Load(batch.counts);
   const Vec freedom = Max(counts - static_cast<double>(NumberOfMonomials(Degree)), Broadcast(1.0));
   const auto noisy = residual * residual * counts > mostNoise * mostNoise * freedom;
-  Store(batch.doubtful, noisy || frame.mayFold ? Broadcast(1.0) : Vec{});
+  Store(batch.doubtful, (noisy && frame.bends) || frame.mayFold ? Broadcast(1.0) : Vec{});
 }
 
 template <int Degree>
