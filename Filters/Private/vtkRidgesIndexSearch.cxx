@@ -117,26 +117,6 @@ struct LookAtTriangles
   vtkRidgesPerThread<ridges::DirectionFans::Memory> perThread;
 };
 
-/// By that of their triangles which comes first: an order that the numbering has no part in.
-void SortByPosition(const ridges::TriangleMesh& mesh, std::vector<std::vector<ridges::Id>>& groups)
-{
-  const auto precedes = [&mesh](ridges::Id a, ridges::Id b)
-  { return ridges::ComesBefore(mesh, a, b); };
-  std::vector<std::pair<ridges::Id, std::size_t>> firsts;
-  for (std::size_t i = 0; i < groups.size(); ++i)
-  {
-    firsts.emplace_back(*std::min_element(groups[i].begin(), groups[i].end(), precedes), i);
-  }
-  std::sort(firsts.begin(), firsts.end(),
-    [&precedes](const auto& a, const auto& b) { return precedes(a.first, b.first); });
-  std::vector<std::vector<ridges::Id>> sorted;
-  for (const auto& first : firsts)
-  {
-    sorted.push_back(std::move(groups[first.second]));
-  }
-  groups = std::move(sorted);
-}
-
 } // namespace
 
 vtkRidgesIndexSearch::vtkRidgesIndexSearch(
@@ -193,6 +173,6 @@ bool vtkRidgesIndexSearch::Gather(
   }
   found.cancelled = gathering.CancelledRegions();
   found.zones = ridges::WeakZones(this->Mesh, this->IsWeak);
-  SortByPosition(this->Mesh, found.zones);
+  ridges::SortByPosition(this->Mesh, found.zones);
   return true;
 }

@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Fit/ScaleSelection.h"
 
+#include "Mesh/PositionHash.h"
+
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <numeric>
 #include <utility>
 
@@ -15,27 +16,6 @@ namespace
 
 using Fit = ScaleTrial::Fit;
 constexpr int NumberOfScales = ScaleTrial::NumberOfScales;
-
-/// Bits of a number that depend on all bits of x: the finaliser of SplitMix64.
-std::uint64_t Mixed(std::uint64_t x)
-{
-  x += 0x9e3779b97f4a7c15U;
-  x = (x ^ (x >> 30)) * 0xbf58476d1ce4e5b9U;
-  x = (x ^ (x >> 27)) * 0x94d049bb133111ebU;
-  return x ^ (x >> 31);
-}
-
-std::uint64_t Hash(const Eigen::Vector3d& point)
-{
-  std::uint64_t hash = 0;
-  for (const double x : point)
-  {
-    std::uint64_t bits;
-    std::memcpy(&bits, &x, sizeof(bits));
-    hash = Mixed(hash ^ bits);
-  }
-  return hash;
-}
 
 double Median(std::vector<double>& values)
 {
@@ -287,7 +267,7 @@ std::vector<Id> ScaleSample(const TriangleMesh& mesh)
   std::vector<std::pair<std::uint64_t, Id>> chosen;
   for (Id p = 0; p < mesh.NumberOfPoints(); ++p)
   {
-    const std::uint64_t hash = Hash(mesh.Point(p));
+    const std::uint64_t hash = PositionHash(mesh.Point(p));
     if (part >= 1.0 || static_cast<double>(hash) < part * 0x1p64)
     {
       chosen.emplace_back(hash, p);

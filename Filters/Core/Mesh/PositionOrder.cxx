@@ -54,6 +54,24 @@ bool ComesBefore(const TriangleMesh& mesh, Id a, Id b)
   return ComesBefore(CornersInOrder(mesh, a), CornersInOrder(mesh, b));
 }
 
+void SortByPosition(const TriangleMesh& mesh, std::vector<std::vector<Id>>& groups)
+{
+  const auto precedes = [&mesh](Id a, Id b) { return ComesBefore(mesh, a, b); };
+  std::vector<std::pair<Id, std::size_t>> firsts;
+  for (std::size_t i = 0; i < groups.size(); ++i)
+  {
+    firsts.emplace_back(*std::min_element(groups[i].begin(), groups[i].end(), precedes), i);
+  }
+  std::sort(firsts.begin(), firsts.end(),
+    [&precedes](const auto& a, const auto& b) { return precedes(a.first, b.first); });
+  std::vector<std::vector<Id>> sorted;
+  for (const auto& first : firsts)
+  {
+    sorted.push_back(std::move(groups[first.second]));
+  }
+  groups = std::move(sorted);
+}
+
 Eigen::Vector3d AreaNormalInOrder(const TriangleMesh& mesh, Id triangle)
 {
   const Corners x = CornersInOrder(mesh, triangle);

@@ -14,6 +14,9 @@ bool ComesBefore(const Eigen::Vector3d& a, const Eigen::Vector3d& b);
 /// The same of two triangles, by their centroids, then by their corners.
 bool ComesBefore(const TriangleMesh& mesh, Id a, Id b);
 
+/// Sorts groups of triangles, each by that of them which comes first.
+void SortByPosition(const TriangleMesh& mesh, std::vector<std::vector<Id>>& groups);
+
 /// The normal of a triangle, as long as twice its area: the same to the last digit whatever corner
 /// the triangle starts at.
 Eigen::Vector3d AreaNormalInOrder(const TriangleMesh& mesh, Id triangle);
