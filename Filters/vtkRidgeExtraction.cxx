@@ -16,6 +16,7 @@
 #include "vtkRidgesRequest.h"
 #include "vtkRidgesSearch.h"
 #include "vtkRidgesUmbilicMarks.h"
+#include "vtkRidgesZoneOutput.h"
 
 #include "vtkCellArray.h"
 #include "vtkIdTypeArray.h"
@@ -26,6 +27,7 @@
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
 
+#include <string>
 #include <vector>
 
 namespace names = vtkRidgesArrayNames;
@@ -97,7 +99,7 @@ void StorePurplePoints(const vtkRidgesMesh& mesh, const std::vector<ridges::Purp
 
 vtkRidgeExtraction::vtkRidgeExtraction()
 {
-  this->SetNumberOfOutputPorts(2);
+  this->SetNumberOfOutputPorts(3);
   vtkRidgesChooseMongeArrays(this);
 }
 
@@ -120,6 +122,7 @@ int vtkRidgeExtraction::RequestData(
 
   if (!vtkRidgesAreNumbers(this,
         { { "LoopSignificance", this->LoopSignificance },
+          { "ZoneSignificance", this->ZoneSignificance },
           { "TypeHysteresis", this->TypeHysteresis }, { "ModelSize", this->ModelSize },
           { "UmbilicCutOff", this->UmbilicCutOff } }))
   {
@@ -149,6 +152,7 @@ int vtkRidgeExtraction::RequestData(
                                                               : ridges::ExtremalityRule::Principal);
   search.SetUsePatches(this->UmbilicJoining == PATCHES && this->ExtremalityRule == PRINCIPAL);
   search.SetLoopSignificance(this->LoopSignificance);
+  search.SetZoneSignificance(this->ExtremalityRule == PRINCIPAL ? this->ZoneSignificance : 0.0);
   search.SetShortestRun(
     this->TypeHysteresis > 0.0 ? this->TypeHysteresis * triangles.MeanEdgeLength() : 0.0);
   vtkRidgesPolylines lines(mesh, umbilics, cutOff, modelSize);
@@ -157,12 +161,13 @@ int vtkRidgeExtraction::RequestData(
   const bool gaussian = this->ExtremalityRule == GAUSSIAN;
   std::vector<ridges::RidgeTrace> blue;
   std::vector<ridges::RidgeTrace> red;
+  vtkRidgesZoneOutput zones;
   const bool findsPurple = this->FindPurplePoints && !gaussian;
   const auto extract = [this, &search, &lines, findsPurple](ridges::Color color, double from,
-                         double to, std::vector<ridges::RidgeTrace>& found)
+                         double to, std::vector<ridges::RidgeTrace>& found, vtkRidgesZones& zone)
   {
     const double middle = from + 0.9 * (to - from);
-    if (!search.Find(this, color, from, middle, found) ||
+    if (!search.Find(this, color, from, middle, found, &zone) ||
       !lines.AddRidges(found, vtkRidgesMonitor(this, middle, to)))
     {
       return false;
@@ -174,12 +179,21 @@ int vtkRidgeExtraction::RequestData(
     }
     return true;
   };
-  if (((gaussian || this->ExtractMaximum) && !extract(ridges::Color::Blue, 0.1, 0.55, blue)) ||
-    (!gaussian && this->ExtractMinimum && !extract(ridges::Color::Red, 0.55, 1.0, red)))
+  if (((gaussian || this->ExtractMaximum) &&
+        !extract(ridges::Color::Blue, 0.1, 0.55, blue, zones.maximum)) ||
+    (!gaussian && this->ExtractMinimum &&
+      !extract(ridges::Color::Red, 0.55, 1.0, red, zones.minimum)))
   {
     return 1;
   }
   lines.Store(output, field.HasFourthOrder());
+  zones.MarkOnMesh(mesh, vtkPolyData::GetData(outputVector, 2));
+  zones.StoreNumber(output);
+  const std::string warning = zones.Warning();
+  if (!warning.empty())
+  {
+    vtkWarningMacro(<< warning);
+  }
   if (findsPurple)
   {
     const auto purple = ridges::FindPurplePoints(triangles, blue, red);
@@ -206,6 +220,7 @@ void vtkRidgeExtraction::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "UmbilicJoining: " << (this->UmbilicJoining == PATCHES ? "Patches" : "Triangles")
      << "\n";
   os << indent << "LoopSignificance: " << this->LoopSignificance << "\n";
+  os << indent << "ZoneSignificance: " << this->ZoneSignificance << "\n";
   os << indent << "TypeHysteresis: " << this->TypeHysteresis << "\n";
   os << indent << "ModelSize: " << this->ModelSize << "\n";
   os << indent << "UmbilicCutOff: " << this->UmbilicCutOff << "\n";

@@ -28,6 +28,10 @@
  * Output port 1, if FindPurplePoints is on: a vertex per purple point, with the point arrays
  * MaximumRidgeId and MinimumRidgeId of the ridges that cross there, and Triangle, the mesh's cell.
  *
+ * Output port 2: the mesh. Its cell array RidgeZone has, for maximum and minimum ridges, the number
+ * of the region in which their extremality is nowhere significant and they were left out, or -1
+ * (section 7.2; Documentation/Theory.md). The field array NumberOfRidgeZones is on port 0, too.
+ *
  * Guarantees, on any mesh and with any values: ridges of one colour end only at umbilics and other
  * singular triangles, on borders, at non-manifold edges and at triangles left out. Order, starts
  * and directions of the ridges depend on positions only, not on the numbering.
@@ -150,11 +154,16 @@ public:
   /**
    * What noise may have caused. LoopSignificance: loops around at most 64 points, at all of which
    * b0 (b3) is within this many standard errors of 0, are left out; 0 to 100, default 3, which is
-   * rarely exceeded by chance; 0 keeps all. TypeHysteresis: runs of one type shorter than this many
-   * mean edges become the type on both sides; 0 to 1000, default 0, as short runs may be true.
+   * rarely exceeded by chance; 0 keeps all. ZoneSignificance: ridges in a RidgeZone, in which b0
+   * (b3) is nowhere more than this many standard errors from 0, are left out; 0 to 100, default 3,
+   * as surfaces without ridges do not exceed it; 0 keeps all. TypeHysteresis: runs of one type
+   * shorter than this many mean edges become the type on both sides; 0 to 1000, default 0, as short
+   * runs may be true.
    */
   vtkSetClampMacro(LoopSignificance, double, 0.0, 100.0);
   vtkGetMacro(LoopSignificance, double);
+  vtkSetClampMacro(ZoneSignificance, double, 0.0, 100.0);
+  vtkGetMacro(ZoneSignificance, double);
   vtkSetClampMacro(TypeHysteresis, double, 0.0, 1000.0);
   vtkGetMacro(TypeHysteresis, double);
   ///@}
@@ -185,6 +194,7 @@ protected:
   int CrossingRule = FORM;
   int UmbilicJoining = PATCHES;
   double LoopSignificance = 3.0;
+  double ZoneSignificance = 3.0;
   double TypeHysteresis = 0.0;
   bool FindPurplePoints = false;
   double ModelSize = 0.0;

@@ -150,6 +150,7 @@ vtkRidgesStagePropertyMacro(Ridges, TypeRule, int);
 vtkRidgesStagePropertyMacro(Ridges, CrossingRule, int);
 vtkRidgesStagePropertyMacro(Ridges, UmbilicJoining, int);
 vtkRidgesStagePropertyMacro(Ridges, LoopSignificance, double);
+vtkRidgesStagePropertyMacro(Ridges, ZoneSignificance, double);
 vtkRidgesStagePropertyMacro(Ridges, TypeHysteresis, double);
 vtkRidgesStagePropertyMacro(Ridges, ModelSize, double);
 vtkRidgesStagePropertyMacro(Ridges, UmbilicCutOff, double);
@@ -228,7 +229,7 @@ int vtkRidgesAndUmbilics::RequestData(
 
   vtkPolyData::GetData(outputVector, RIDGES)->ShallowCopy(internals.Selection->GetOutput());
   vtkPolyData::GetData(outputVector, UMBILICS)->ShallowCopy(internals.Umbilics->GetOutput(1));
-  vtkPolyData::GetData(outputVector, MESH)->ShallowCopy(internals.Umbilics->GetOutput(0));
+  vtkPolyData::GetData(outputVector, MESH)->ShallowCopy(internals.Ridges->GetOutput(2));
   return 1;
 }
 

@@ -11,8 +11,8 @@
  * Input: a triangle mesh; polygons and strips are triangulated, verts and lines are ignored.
  *
  * Output port 0: the ridges kept, the output of vtkRidgeSharpnessFilter; RidgeType is the active
- * scalar array. Output port 1: a vertex per umbilic. Output port 2: the mesh with its Monge arrays
- * and umbilic marks. Both are outputs of vtkUmbilicDetection.
+ * scalar array. Output port 1: a vertex per umbilic, the output of vtkUmbilicDetection. Output port
+ * 2: the mesh with its Monge arrays, umbilic marks and RidgeZone.
  *
  * Guarantees: the outputs are those of the four filters in a row, byte for byte. Only stages whose
  * properties have changed, and those after them, run again: another MinimumSharpness is cheap.
@@ -102,6 +102,7 @@ public:
   void SetUmbilicJoiningToPatches() { this->SetUmbilicJoining(vtkRidgeExtraction::PATCHES); }
   void SetUmbilicJoiningToTriangles() { this->SetUmbilicJoining(vtkRidgeExtraction::TRIANGLES); }
   vtkRidgesStagePropertyMacro(LoopSignificance, double);
+  vtkRidgesStagePropertyMacro(ZoneSignificance, double);
   vtkRidgesStagePropertyMacro(TypeHysteresis, double);
   vtkRidgesStagePropertyMacro(ModelSize, double);
   vtkRidgesStagePropertyMacro(UmbilicCutOff, double);

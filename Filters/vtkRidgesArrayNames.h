@@ -39,7 +39,7 @@ constexpr const char* P2Error = "P2Error";
  */
 constexpr const char* MongeInputs[] = { MaximumCurvature, MinimumCurvature, MaximumDirection,
   MinimumDirection, ThirdOrder, FourthOrder, P1, P2, FitStatus, MaximumCurvatureError,
-  MinimumCurvatureError, ThirdOrderError, FitResidual, FitScale };
+  MinimumCurvatureError, ThirdOrderError, FitResidual, FitScale, FitNoiseGain };
 
 /// @name Mesh, field data, of vtkJetFitting
 ///@{
@@ -63,6 +63,12 @@ constexpr const char* UmbilicIndexSum = "UmbilicIndexSum";
 constexpr const char* EulerCharacteristic = "EulerCharacteristic";
 constexpr const char* NumberOfCancelledRegions = "NumberOfCancelledRegions";
 constexpr const char* NumberOfUmbilicZones = "NumberOfUmbilicZones";
+///@}
+
+/// @name Mesh, cell data and field data, of vtkRidgeExtraction
+///@{
+constexpr const char* RidgeZone = "RidgeZone";
+constexpr const char* NumberOfRidgeZones = "NumberOfRidgeZones";
 ///@}
 
 /// @name Umbilics, point data

@@ -4,6 +4,7 @@
 
 #include "Core/Base/Finite.h"
 #include "Core/Fit/JetFit.h"
+#include "Core/Ridges/ExtremalityErrors.h"
 #include "vtkRidgesArrayNames.h"
 
 #include "vtkDataObject.h"
@@ -102,6 +103,20 @@ std::string vtkRidgesMongeArrays::GetWarning() const
       this->NotFinite + ") and are treated as points without a fit";
 }
 
+std::vector<std::uint8_t> vtkRidgesMongeArrays::FlaggedPoints() const
+{
+  std::vector<std::uint8_t> flagged(this->Status ? this->Source.tuples : 0);
+  for (std::size_t p = 0; p < flagged.size(); ++p)
+  {
+    const vtkIdType status = this->Status[p];
+    flagged[p] = status == 0 ? 0
+      : (status & (ridges::FitBoundary | ridges::FitIllConditioned)) != 0
+      ? ridges::ExtremalityErrors::FlaggedAsInexact
+      : ridges::ExtremalityErrors::FlaggedAsWrong;
+  }
+  return flagged;
+}
+
 void vtkRidgesMongeArrays::ReadSecondOrder()
 {
   this->Usable.assign(this->Source.tuples, 1);
@@ -121,15 +136,16 @@ void vtkRidgesMongeArrays::ReadErrors()
   this->Errors.thirdOrderError = read(names::ThirdOrderError, 4);
   this->Errors.fitResidual = read(names::FitResidual, 1);
   this->Errors.fitScale = read(names::FitScale, 1);
+  this->Errors.noiseGain = read(names::FitNoiseGain, 1);
 }
 
 /// Last, as only values that are not finite are to be counted.
 void vtkRidgesMongeArrays::ReadStatus()
 {
   this->NumberOfNotFinitePoints = std::count(this->Usable.begin(), this->Usable.end(), 0);
-  const vtkIdType* status = this->Reader.Ids(this->Source, this->Chosen[names::FitStatus].c_str(),
-    0, std::numeric_limits<int>::max(), vtkRidgesArrayReader::Presence::Optional);
-  if (status)
+  this->Status = this->Reader.Ids(this->Source, this->Chosen[names::FitStatus].c_str(), 0,
+    std::numeric_limits<int>::max(), vtkRidgesArrayReader::Presence::Optional);
+  if (const vtkIdType* status = this->Status)
   {
     vtkSMPTools::For(0, this->Source.tuples,
       [this, status](vtkIdType begin, vtkIdType end)

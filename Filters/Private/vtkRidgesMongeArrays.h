@@ -43,6 +43,9 @@ public:
   /// Per point: 0 where the fit is invalid or a value is not finite.
   const std::vector<std::uint8_t>& GetUsable() const { return this->Usable; }
 
+  /// Per point, what ExtremalityErrors wants to know of FitStatus; empty if it is missing.
+  std::vector<std::uint8_t> FlaggedPoints() const;
+
   /// How many points have values that are not finite, and in which arrays; empty if there are none.
   std::string GetWarning() const;
 
@@ -61,6 +64,7 @@ private:
   vtkRidgesArrayReader Reader;
   vtkRidgesArrayReader::Source Source;       ///< The point data of the mesh.
   std::map<std::string, std::string> Chosen; ///< Names of the contract, and of the arrays to read.
+  const vtkIdType* Status = nullptr;         ///< Null if it is missing.
   std::vector<std::uint8_t> Usable;
   std::string NotFinite; ///< Names of arrays.
   vtkIdType NumberOfNotFinitePoints = 0;

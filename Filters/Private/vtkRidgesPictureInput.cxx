@@ -78,6 +78,9 @@ void vtkRidgesPictureInput::FetchMesh(vtkAlgorithm* filter, vtkPolyData* mesh)
     this->AddFaults(std::string(names::UmbilicPatch) + " of the mesh's cells");
   }
 
+  const auto zones = data->GetCellData()->GetArray(names::RidgeZone);
+  const bool hasZones = zones && zones->GetNumberOfComponents() == 2 &&
+    zones->GetNumberOfTuples() == data->GetNumberOfCells();
   this->Picture.mesh = &triangles;
   this->Picture.field = this->Arrays.GetField();
   this->TriangleOfCell.assign(data->GetNumberOfCells(), -1);
@@ -88,6 +91,11 @@ void vtkRidgesPictureInput::FetchMesh(vtkAlgorithm* filter, vtkPolyData* mesh)
     this->TriangleOfCell[cell] = t;
     const bool good = ridges::AreUsable(triangles.Corners(t), usable.data());
     this->Picture.isUsable.push_back(good ? 1 : 0);
+    if (hasZones)
+    {
+      this->Picture.isInMaximumZone.push_back(zones->GetComponent(cell, 0) >= 0.0 ? 1 : 0);
+      this->Picture.isInMinimumZone.push_back(zones->GetComponent(cell, 1) >= 0.0 ? 1 : 0);
+    }
     this->Picture.patchOf.push_back(IdOf(patches.At(cell)));
     this->Picture.cancelledIn.push_back(IdOf(cancelled.At(cell)));
   }

@@ -122,7 +122,8 @@ struct TraceRidges
 
 vtkRidgesSearch::vtkRidgesSearch(
   const vtkRidgesMongeInput& monge, const vtkRidgesUmbilicMarks& umbilics)
-  : Mesh(monge.mesh)
+  : Monge(monge)
+  , Mesh(monge.mesh)
   , Field(monge.arrays.GetField())
   , Errors(monge.arrays.GetErrors())
   , Umbilics(umbilics)
@@ -150,7 +151,7 @@ ridges::UmbilicLookup vtkRidgesSearch::MakeLookup() const
 }
 
 bool vtkRidgesSearch::Find(vtkAlgorithm* filter, ridges::Color color, double from, double to,
-  std::vector<ridges::RidgeTrace>& found) const
+  std::vector<ridges::RidgeTrace>& found, vtkRidgesZones* zones) const
 {
   ridges::RidgeCrossings crossings(
     this->Mesh.GetTriangles(), this->Field, color, this->CrossingRule, this->ExtremalityRule);
@@ -160,7 +161,8 @@ bool vtkRidgesSearch::Find(vtkAlgorithm* filter, ridges::Color color, double fro
   return this->FindCrossings(filter, from, at(0.35), crossings) &&
     this->DrawPatches(filter, at(0.35), at(0.45), crossings, pieces) &&
     this->March(filter, at(0.45), at(0.55), crossings, pieces) &&
-    this->Assemble(filter, at(0.55), at(0.7), crossings, pieces, whole) &&
+    this->LeaveOutSmallLoops(filter, at(0.55), at(0.65), crossings, pieces, whole) &&
+    this->LeaveOutZones(filter, at(0.65), at(0.7), color, pieces, whole, zones) &&
     this->Trace(filter, at(0.7), to, crossings, pieces, whole, found);
 }
 
@@ -224,7 +226,7 @@ bool vtkRidgesSearch::March(vtkAlgorithm* filter, double from, double to,
   return true;
 }
 
-bool vtkRidgesSearch::Assemble(vtkAlgorithm* filter, double from, double to,
+bool vtkRidgesSearch::LeaveOutSmallLoops(vtkAlgorithm* filter, double from, double to,
   const ridges::RidgeCrossings& crossings, const Pieces& pieces,
   std::vector<ridges::Ridge>& whole) const
 {
@@ -256,6 +258,18 @@ bool vtkRidgesSearch::Assemble(vtkAlgorithm* filter, double from, double to,
   }
   whole = std::move(kept);
   return true;
+}
+
+bool vtkRidgesSearch::LeaveOutZones(vtkAlgorithm* filter, double from, double to,
+  ridges::Color color, const Pieces& pieces, std::vector<ridges::Ridge>& whole,
+  vtkRidgesZones* zones) const
+{
+  if (!zones || !(this->ZoneSignificance > 0.0))
+  {
+    return true;
+  }
+  vtkRidgesZoneSearch search(this->Monge, color, this->ZoneSignificance);
+  return search.Run(filter, from, to, pieces.segments, pieces.paths, whole, *zones);
 }
 
 bool vtkRidgesSearch::Trace(vtkAlgorithm* filter, double from, double to,

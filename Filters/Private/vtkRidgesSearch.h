@@ -6,6 +6,7 @@
 #include "Core/Fit/FitErrors.h"
 #include "Core/Ridges/RidgeTrace.h"
 #include "vtkRidgesCompatibility.h"
+#include "vtkRidgesZoneSearch.h"
 
 #include <cstdint>
 #include <vector>
@@ -32,12 +33,14 @@ public:
   void SetTypeRule(ridges::TypeRule rule) { this->TypeRule = rule; }
   void SetUsePatches(bool use) { this->UsePatches = use; }
   void SetLoopSignificance(double significance) { this->LoopSignificance = significance; }
+  void SetZoneSignificance(double significance) { this->ZoneSignificance = significance; }
   void SetShortestRun(double length) { this->ShortestRun = length; }
 
-  /// The ridges of a colour, or with the Gaussian rule those of both, in canonical form and order.
+  /// The ridges of a colour, or with the Gaussian rule those of both, in canonical form and order;
+  /// and, if wanted, the zones in which ridges were left out.
   /// False if the user aborted the filter, whose progress runs from `from` to `to`.
   bool Find(vtkAlgorithm* filter, ridges::Color color, double from, double to,
-    std::vector<ridges::RidgeTrace>& found) const;
+    std::vector<ridges::RidgeTrace>& found, vtkRidgesZones* zones = nullptr) const;
 
 private:
   /// Pieces of ridges, those inside patches first.
@@ -55,15 +58,18 @@ private:
     const ridges::RidgeCrossings& crossings, Pieces& pieces) const;
   bool March(vtkAlgorithm* filter, double from, double to, const ridges::RidgeCrossings& crossings,
     Pieces& pieces) const;
-  bool Assemble(vtkAlgorithm* filter, double from, double to,
+  bool LeaveOutSmallLoops(vtkAlgorithm* filter, double from, double to,
     const ridges::RidgeCrossings& crossings, const Pieces& pieces,
     std::vector<ridges::Ridge>& whole) const;
+  bool LeaveOutZones(vtkAlgorithm* filter, double from, double to, ridges::Color color,
+    const Pieces& pieces, std::vector<ridges::Ridge>& whole, vtkRidgesZones* zones) const;
   bool Trace(vtkAlgorithm* filter, double from, double to, const ridges::RidgeCrossings& crossings,
     const Pieces& pieces, std::vector<ridges::Ridge>& whole,
     std::vector<ridges::RidgeTrace>& found) const;
 
   ridges::UmbilicLookup MakeLookup() const;
 
+  const vtkRidgesMongeInput& Monge;
   const vtkRidgesMesh& Mesh;
   const ridges::MongeField& Field;
   const ridges::FitErrorSource& Errors;
@@ -73,6 +79,7 @@ private:
   ridges::TypeRule TypeRule = ridges::TypeRule::FourthOrder;
   bool UsePatches = true;
   double LoopSignificance = 0.0;
+  double ZoneSignificance = 0.0;
   double ShortestRun = 0.0;
 };
 

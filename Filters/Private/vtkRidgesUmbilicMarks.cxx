@@ -31,7 +31,8 @@ vtkRidgesUmbilicMarks::vtkRidgesUmbilicMarks(const vtkRidgesMesh& mesh)
 
 void vtkRidgesUmbilicMarks::RemoveFrom(vtkPolyData* output)
 {
-  for (const char* name : { names::UmbilicPatch, names::CancelledUmbilics, names::UmbilicZone })
+  for (const char* name :
+    { names::UmbilicPatch, names::CancelledUmbilics, names::UmbilicZone, names::RidgeZone })
   {
     output->GetCellData()->RemoveArray(name);
   }
@@ -40,7 +41,7 @@ void vtkRidgesUmbilicMarks::RemoveFrom(vtkPolyData* output)
   field->ShallowCopy(output->GetFieldData());
   for (const char* name : { names::UmbilicPosition, names::UmbilicIndex, names::UmbilicRidgeCount,
          names::UmbilicTriangle, names::UmbilicIndexSum, names::EulerCharacteristic,
-         names::NumberOfCancelledRegions, names::NumberOfUmbilicZones })
+         names::NumberOfCancelledRegions, names::NumberOfUmbilicZones, names::NumberOfRidgeZones })
   {
     field->RemoveArray(name);
   }

@@ -173,6 +173,7 @@ Outputs RunFilters(vtkPolyData* mesh)
   umbilics->SetInputConnection(jets->GetOutputPort());
   ridges->SetInputConnection(umbilics->GetOutputPort());
   ridges->SetLoopSignificance(0.0); // All ridges: tests look for every crossing.
+  ridges->SetZoneSignificance(0.0);
   ridges->Update();
 
   Outputs outputs;

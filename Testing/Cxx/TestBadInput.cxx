@@ -258,6 +258,7 @@ TEST(BadProperties, EveryFilterRejectsNaN)
   EXPECT_NAN_IS_AN_ERROR(vtkUmbilicDetection, Significance, fitted);
   EXPECT_NAN_IS_AN_ERROR(vtkUmbilicDetection, PatchSize, fitted);
   EXPECT_NAN_IS_AN_ERROR(vtkRidgeExtraction, LoopSignificance, marked);
+  EXPECT_NAN_IS_AN_ERROR(vtkRidgeExtraction, ZoneSignificance, marked);
   EXPECT_NAN_IS_AN_ERROR(vtkRidgeExtraction, TypeHysteresis, marked);
   EXPECT_NAN_IS_AN_ERROR(vtkRidgeExtraction, ModelSize, marked);
   EXPECT_NAN_IS_AN_ERROR(vtkRidgeExtraction, UmbilicCutOff, marked);

@@ -47,6 +47,7 @@ void ExpectCompleteRidges(vtkPolyData* mesh)
   plain->SetInputData(outputs.marked);
   plain->SetUmbilicJoiningToTriangles();
   plain->SetLoopSignificance(0.0);
+  plain->SetZoneSignificance(0.0);
   plain->Update();
   ExpectCompleteRidgeGraph(outputs.fitted, WithoutUmbilicIds(plain->GetOutput()));
   ExpectJoinedPolylines(plain->GetOutput());
@@ -57,6 +58,7 @@ void ExpectCompleteRidgesOfArrays(vtkPolyData* mesh)
 {
   vtkNew<vtkRidgeExtraction> extraction;
   extraction->SetInputData(mesh);
+  extraction->SetZoneSignificance(0.0);
   for (const int rule : { vtkRidgeExtraction::FOURTH_ORDER, vtkRidgeExtraction::THIRD_ORDER })
   {
     extraction->SetTypeRule(rule);

@@ -44,7 +44,7 @@ struct Chain
   {
     this->selection->Update();
     return { BytesOf(this->selection->GetOutput()), BytesOf(this->umbilics->GetOutput(1)),
-      BytesOf(this->umbilics->GetOutput(0)) };
+      BytesOf(this->ridges->GetOutput(2)) };
   }
 
   vtkNew<vtkJetFitting> jets;
@@ -227,6 +227,7 @@ TEST(RidgesAndUmbilics, HasTheDefaultsOfItsStages)
   EXPECT_EQ(filter->GetPatchSize(), chain.umbilics->GetPatchSize());
   EXPECT_EQ(filter->GetUmbilicJoining(), chain.ridges->GetUmbilicJoining());
   EXPECT_EQ(filter->GetLoopSignificance(), chain.ridges->GetLoopSignificance());
+  EXPECT_EQ(filter->GetZoneSignificance(), chain.ridges->GetZoneSignificance());
   EXPECT_EQ(filter->GetTypeHysteresis(), chain.ridges->GetTypeHysteresis());
   EXPECT_EQ(filter->GetUmbilicCutOff(), chain.ridges->GetUmbilicCutOff());
   EXPECT_EQ(filter->GetMinimumSharpness(), chain.selection->GetMinimumSharpness());

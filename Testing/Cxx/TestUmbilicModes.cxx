@@ -187,6 +187,7 @@ TEST(UmbilicJoining, OfTrianglesEqualsTheResultWithoutMarks)
   extraction->Update();
   vtkPolyData* bare = extraction->GetOutput();
   marked->GetFieldData()->Initialize();
+  bare->GetFieldData()->Initialize();
   marked->GetPointData()->GetArray(names::Umbilic)->Fill(-1.0);
   EXPECT_EQ(FirstDifference(marked, bare), "");
 }

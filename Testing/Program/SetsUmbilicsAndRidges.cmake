@@ -31,7 +31,7 @@ set(default_ridges "${ridges}")
 set(default_lines "${lines}")
 
 find(${blend} --umbilic-method indices --umbilic-significance 3 --extremality-rule principal
-  --umbilic-joining patches --loop-significance 3 --type-hysteresis 0)
+  --umbilic-joining patches --loop-significance 3 --zone-significance 3 --type-hysteresis 0)
 expect_that(umbilics STREQUAL default_umbilics AND ridges STREQUAL default_ridges)
 
 find(${blend} --umbilic-method minima)
@@ -58,8 +58,14 @@ expect("${output}" "umbilics \\+1/2: 4, -1/2: 0")
 find(${sphere} --umbilic-significance 0)
 expect("${output}" "umbilics \\+1/2: [1-9][0-9]+, -1/2: [1-9]" "index sum 2 = Euler")
 
+# Nor ridges, unless they are wanted.
+find(${sphere})
+expect_that(lines EQUAL 0)
+find(${sphere} --zone-significance 0)
+expect_that(lines GREATER 0)
+
 # On what is almost one errors also make loops.
-set(almost --surface ellipsoid --semi-axes 1.0001,1,0.9999 --frequency 12)
+set(almost --surface ellipsoid --semi-axes 1.0001,1,0.9999 --frequency 12 --zone-significance 0)
 find(${almost})
 set(default_umbilics "${umbilics}")
 set(default_lines "${lines}")

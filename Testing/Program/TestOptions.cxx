@@ -58,11 +58,12 @@ TEST(Options, SetUmbilicDetection)
 TEST(Options, SetRidgeExtraction)
 {
   Filters filters;
-  Parse({ "--umbilic-joining", "triangles", "--loop-significance", "0", "--type-hysteresis", "2.5",
-          "--type-rule", "third-order", "--degree", "3" },
+  Parse({ "--umbilic-joining", "triangles", "--loop-significance", "0", "--zone-significance", "2",
+          "--type-hysteresis", "2.5", "--type-rule", "third-order", "--degree", "3" },
     filters);
   EXPECT_EQ(filters.ridges->GetUmbilicJoining(), vtkRidgeExtraction::TRIANGLES);
   EXPECT_EQ(filters.ridges->GetLoopSignificance(), 0.0);
+  EXPECT_EQ(filters.ridges->GetZoneSignificance(), 2.0);
   EXPECT_EQ(filters.ridges->GetTypeHysteresis(), 2.5);
   EXPECT_EQ(filters.ridges->GetTypeRule(), vtkRidgeExtraction::THIRD_ORDER);
   Parse({ "--extremality-rule", "gaussian" }, filters);

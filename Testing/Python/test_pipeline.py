@@ -223,7 +223,7 @@ class TestBlend(unittest.TestCase):
         by_hand = [
             self.chain.sharpness.GetOutput(),
             self.chain.umbilics.GetOutput(1),
-            self.chain.umbilics.GetOutput(0),
+            self.chain.ridges.GetOutput(2),
         ]
         for port, expected in enumerate(by_hand):
             output = whole.GetOutput(port)

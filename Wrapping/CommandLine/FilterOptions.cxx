@@ -189,6 +189,12 @@ void AddRidges(CLI::App& app, vtkRidgeExtraction* filter)
     "may "
     "have caused them; 0 keeps all");
   group.Number<double>(
+    "--zone-significance", "ERRORS", filter->GetZoneSignificance(),
+    { filter->GetZoneSignificanceMinValue(), filter->GetZoneSignificanceMaxValue() },
+    [filter](double value) { filter->SetZoneSignificance(value); },
+    "ridges in regions whose extremality is nowhere more than this many standard errors from 0, as "
+    "on cylinders, are omitted; 0 keeps all");
+  group.Number<double>(
     "--type-hysteresis", "EDGES", filter->GetTypeHysteresis(),
     { filter->GetTypeHysteresisMinValue(), filter->GetTypeHysteresisMaxValue() },
     [filter](double value) { filter->SetTypeHysteresis(value); },

@@ -126,13 +126,13 @@ void RunComplete(const Options& options, Filters& filters, Stages& stages, Resul
   RunStage(stages, "filter", filters.sharpness);
   if (options.check)
   {
-    filters.coherence->SetInputConnection(0, filters.umbilics->GetOutputPort(0));
+    filters.coherence->SetInputConnection(0, filters.ridges->GetOutputPort(2));
     filters.coherence->SetInputConnection(1, filters.ridges->GetOutputPort());
     filters.coherence->SetInputConnection(2, filters.umbilics->GetOutputPort(1));
     RunStage(stages, "checks", filters.coherence);
     results.checks = filters.coherence->GetOutput();
   }
-  results.mesh = filters.umbilics->GetOutput();
+  results.mesh = vtkPolyData::SafeDownCast(filters.ridges->GetOutput(2));
   vtkDataArray* rings =
     results.mesh->GetFieldData()->GetArray(vtkRidgesArrayNames::SelectedNumberOfRings);
   results.selectedRings = rings ? static_cast<int>(rings->GetComponent(0, 0)) : 0;

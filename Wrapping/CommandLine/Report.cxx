@@ -146,12 +146,16 @@ void PrintMesh(std::ostream& os, const Results& results, const EdgeCounts& edges
 }
 
 /// Where a quantity is within its errors of 0: the triangles of the zones, and what that means.
-void PrintZones(
-  std::ostream& os, vtkPolyData* mesh, const char* array, const char* quantity, const char* meaning)
+void PrintZones(std::ostream& os, vtkPolyData* mesh, const char* array, int component,
+  const char* quantity, const char* meaning)
 {
   const vtkIdType all = mesh->GetNumberOfPolys();
-  const vtkIdType count =
-    CountIf(mesh->GetCellData()->GetArray(array), [](double value) { return value >= 0.0; });
+  vtkDataArray* zones = mesh->GetCellData()->GetArray(array);
+  vtkIdType count = 0;
+  for (vtkIdType i = 0; zones && i < zones->GetNumberOfTuples(); ++i)
+  {
+    count += zones->GetComponent(i, component) >= 0.0 ? 1 : 0;
+  }
   if (count > 0)
   {
     PrintRow(os, "",
@@ -185,7 +189,7 @@ void PrintUmbilics(std::ostream& os, const Results& results, bool isClosed)
                      : ": they may differ, as the mesh has a border";
   }
   PrintRow(os, "", text);
-  PrintZones(os, results.mesh, names::UmbilicZone, "k1 - k2", "umbilics there mean nothing");
+  PrintZones(os, results.mesh, names::UmbilicZone, 0, "k1 - k2", "umbilics there mean nothing");
 }
 
 void PrintRidges(std::ostream& os, const Results& results)
@@ -222,6 +226,11 @@ void PrintRidges(std::ostream& os, const Results& results)
   if (left > 0)
   {
     os << "  " << Count(left, "more line") << " the filter left out\n";
+  }
+  for (const int component : { 0, 1 })
+  {
+    PrintZones(os, results.mesh, names::RidgeZone, component, component == 0 ? "b0" : "b3",
+      component == 0 ? "maximum ridges there were left out" : "minimum ridges there were left out");
   }
 }
 

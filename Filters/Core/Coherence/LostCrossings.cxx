@@ -139,6 +139,14 @@ bool EnclosesFew(const RidgePicture& picture, const std::vector<Id>& crossings)
   return false;
 }
 
+/// Whether ridges that cross an edge were left out because it is in a zone.
+bool IsLeftOutAt(const RidgePicture& picture, Color color, Id edge)
+{
+  const std::vector<Id> triangles = TrianglesAt(*picture.mesh, edge);
+  return std::all_of(triangles.begin(), triangles.end(),
+    [&picture, color](Id t) { return picture.IsInZone(color, t); });
+}
+
 } // namespace
 
 std::vector<int> CountPassages(
@@ -175,7 +183,7 @@ LostCrossings FindLostCrossings(
     if (IsCrossed(picture.field, color, edge.v0, edge.v1) && picture.IsOutside(e))
     {
       ++result.crossed;
-      if (passages[e] == 0)
+      if (passages[e] == 0 && !IsLeftOutAt(picture, color, e))
       {
         lost.push_back(e);
       }

@@ -161,7 +161,7 @@ CoherenceCheck CheckPatchContours(
   for (const PictureUmbilic& umbilic : picture.umbilics)
   {
     const std::array<int, 2> found = counts[umbilic.id];
-    if (found[0] != umbilic.ridgeCount || found[1] != umbilic.ridgeCount)
+    if (!HasItsRidges(picture, umbilic, found))
     {
       if (check.offenders.empty())
       {

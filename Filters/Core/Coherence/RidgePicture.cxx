@@ -7,6 +7,16 @@
 namespace ridges
 {
 
+bool HasItsRidges(
+  const RidgePicture& picture, const PictureUmbilic& umbilic, const std::array<int, 2>& counts)
+{
+  const auto isRight = [&picture, &umbilic](Color color, int count)
+  {
+    return count == umbilic.ridgeCount || (count == 0 && picture.IsInZone(color, umbilic.triangle));
+  };
+  return isRight(Color::Blue, counts[0]) && isRight(Color::Red, counts[1]);
+}
+
 Id FindEdge(const TriangleMesh& mesh, Id p, Id q)
 {
   if (p < 0 || q < 0 || p >= mesh.NumberOfPoints() || q >= mesh.NumberOfPoints())

@@ -7,6 +7,7 @@
 #include "Monge/MongeField.h"
 #include "Ridges/RidgeType.h"
 
+#include <array>
 #include <vector>
 
 namespace ridges
@@ -55,9 +56,11 @@ struct RidgePicture
 {
   const TriangleMesh* mesh = nullptr;
   MongeField field;
-  std::vector<std::uint8_t> isUsable; ///< Per triangle: whether ridges may run in it.
-  std::vector<Id> patchOf;            ///< Per triangle: id of the umbilic, -1 outside.
-  std::vector<Id> cancelledIn;        ///< Per triangle: region of cancelled umbilics, or -1.
+  std::vector<std::uint8_t> isUsable;        ///< Per triangle: whether ridges may run in it.
+  std::vector<Id> patchOf;                   ///< Per triangle: id of the umbilic, -1 outside.
+  std::vector<std::uint8_t> isInMaximumZone; ///< Per triangle: in a zone of k1; may be empty.
+  std::vector<std::uint8_t> isInMinimumZone; ///< The same of k2.
+  std::vector<Id> cancelledIn;               ///< Per triangle: region of cancelled umbilics, or -1.
   std::vector<PictureUmbilic> umbilics;
   std::vector<PicturePoint> points;
   std::vector<PictureLine> lines;
@@ -71,6 +74,14 @@ struct RidgePicture
     return patch >= 0 ? 2 * patch : (cancelled >= 0 ? 2 * cancelled + 1 : -1);
   }
 
+  /// Whether a triangle is in a zone of a colour, where ridges were left out.
+  bool IsInZone(Color color, Id triangle) const
+  {
+    const std::vector<std::uint8_t>& zone =
+      color == Color::Blue ? this->isInMaximumZone : this->isInMinimumZone;
+    return triangle >= 0 && !zone.empty() && zone[triangle] != 0;
+  }
+
   /// Number of usable triangles at an edge; other than 2 it is a border to ridges.
   int UsableSides(Id edge) const;
   bool IsBorder(Id edge) const { return this->UsableSides(edge) != 2; }
@@ -82,6 +93,11 @@ struct RidgePicture
   /// The umbilic of an id, or null.
   const PictureUmbilic* UmbilicOf(Id id) const;
 };
+
+/// Whether so many ridges of each colour are as many as the umbilic has; in a zone it may have lost
+/// them all.
+bool HasItsRidges(
+  const RidgePicture& picture, const PictureUmbilic& umbilic, const std::array<int, 2>& counts);
 
 /// The edge between two points, or PicturePoint::NoEdge.
 Id FindEdge(const TriangleMesh& mesh, Id p, Id q);

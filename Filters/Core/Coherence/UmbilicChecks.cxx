@@ -181,7 +181,7 @@ CoherenceCheck CheckRidgesAtUmbilics(
   {
     const std::array<int, 2> count = counts[umbilic.id];
     const bool known = umbilic.ridgeCount == 1 || umbilic.ridgeCount == 3;
-    if (!known || count[0] != umbilic.ridgeCount || count[1] != umbilic.ridgeCount)
+    if (!known || !HasItsRidges(picture, umbilic, count))
     {
       if (check.offenders.empty())
       {

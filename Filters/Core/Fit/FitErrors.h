@@ -18,6 +18,7 @@ struct FitErrorSource
   const double* thirdOrderError = nullptr; ///< 4 values a point.
   const double* fitResidual = nullptr;     ///< rms of the heights left over, per fitting radius.
   const double* fitScale = nullptr;        ///< The fitting radius.
+  const double* noiseGain = nullptr;       ///< Of the fits: see JetFit.
 };
 
 /**

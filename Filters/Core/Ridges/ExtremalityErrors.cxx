@@ -1,0 +1,261 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkRidges contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Ridges/ExtremalityErrors.h"
+
+#include "Mesh/CoordinateRounding.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+
+namespace ridges
+{
+namespace
+{
+
+/// Errors of points that do not count, and of those that have not been looked at.
+constexpr double NotKnown = -1.0;
+constexpr double NotMeasured = -2.0;
+
+/// Of a fit to two rings, where it is not known.
+constexpr double UsualGain = 60.0;
+
+/// As a part of 1 / radius^2: where curvatures vanish, the fit leaves 1e-12 to 1e-10 of it.
+constexpr double FitRounding = 3e-10;
+
+/// Of the difference to the derivative: where nothing else is wrong, two and a half of it are as
+/// rare as three standard errors of noise.
+constexpr double ShareOfDifference = 2.5 / 3.0;
+
+} // namespace
+
+ExtremalityErrors::ExtremalityErrors(const Source& source, Color color, double significance)
+  : Source_(source)
+  , Color_(color)
+  , Significance_(significance)
+  , Rounding_(CoordinateRounding(source.mesh))
+  , Own_(source.mesh.NumberOfPoints(), Sums{ 0.0, NotMeasured })
+{
+}
+
+void ExtremalityErrors::Begin()
+{
+  this->Rings_.resize(this->Own_.size());
+  this->Verdicts_.assign(this->Own_.size(), Verdict::Unknown);
+}
+
+void ExtremalityErrors::Measure(Id begin, Id end)
+{
+  for (Id p = begin; p < end; ++p)
+  {
+    this->Own_[p] = this->At(p);
+  }
+}
+
+void ExtremalityErrors::Sum(Id begin, Id end)
+{
+  for (Id p = begin; p < end; ++p)
+  {
+    this->Rings_[p] = this->OverRing(p, [this](Id q) { return this->Own_[q]; });
+  }
+}
+
+void ExtremalityErrors::Judge(Id begin, Id end)
+{
+  const std::vector<std::uint8_t>& isFlagged = this->Source_.isFlagged;
+  for (Id p = begin; p < end; ++p)
+  {
+    Verdict& verdict = this->Verdicts_[p];
+    if (this->IsRoundOff(p))
+    {
+      verdict = Verdict::RoundOff;
+    }
+    else if (this->Own_[p].squaredError == NotKnown)
+    {
+      const bool isBad = !isFlagged.empty() && isFlagged[p] == FlaggedAsWrong;
+      verdict = isBad ? Verdict::Unresolved : Verdict::Unknown;
+    }
+    else if (this->IsUnresolved(p))
+    {
+      verdict = Verdict::Unresolved;
+    }
+    else
+    {
+      const Sums sums = this->OverRing(p, [this](Id q) { return this->Rings_[q]; });
+      verdict = this->IsSignificant(sums) ? Verdict::Significant : Verdict::Insignificant;
+    }
+  }
+}
+
+bool ExtremalityErrors::IsSignificantAt(Id p)
+{
+  const auto own = [this](Id q)
+  {
+    if (this->Own_[q].squaredError == NotMeasured)
+    {
+      this->Own_[q] = this->At(q);
+    }
+    return this->Own_[q];
+  };
+  return !this->IsRoundOff(p) && own(p).squaredError != NotKnown && !this->IsUnresolved(p) &&
+    this->IsSignificant(this->OverRing(p, [this, &own](Id q) { return this->OverRing(q, own); }));
+}
+
+bool ExtremalityErrors::IsSignificant(const Sums& sums) const
+{
+  return sums.square > this->Significance_ * this->Significance_ * sums.squaredError;
+}
+
+/// Each neighbour once, inside of the surface, where two triangles have it.
+template <typename AtPoint>
+ExtremalityErrors::Sums ExtremalityErrors::OverRing(Id p, const AtPoint& atPoint) const
+{
+  Sums sums;
+  const auto add = [&sums](const Sums& more, double weight)
+  {
+    if (more.squaredError >= 0.0)
+    {
+      sums.square += weight * more.square;
+      sums.squaredError += weight * more.squaredError;
+    }
+  };
+  add(atPoint(p), 1.0);
+  for (const Id t : this->Source_.mesh.TrianglesAround(p))
+  {
+    for (const Id q : this->Source_.mesh.Corners(t))
+    {
+      if (q != p)
+      {
+        add(atPoint(q), 0.5);
+      }
+    }
+  }
+  return sums;
+}
+
+/// Points next to flagged ones do not count: their derivatives depend on these.
+ExtremalityErrors::Sums ExtremalityErrors::At(Id p) const
+{
+  const double radius = this->RadiusAt(p);
+  const Surroundings around = this->LookAround(p);
+  if (!(radius > 0.0) || around.isFlagged || this->Source_.mesh.TrianglesAround(p).size() == 0)
+  {
+    return { 0.0, NotKnown };
+  }
+  const double b = this->Source_.field.Extremality(this->Color_, p);
+  const double rounding = this->RoundingError(p, radius);
+  Sums sums{ b * b, rounding * rounding };
+  const FitErrorSource& errors = this->Source_.errors;
+  if (errors.fitResidual && errors.fitScale)
+  {
+    const double noise = this->GainAt(p) * around.height / (radius * radius * radius);
+    const double difference = ShareOfDifference * (b - around.derivative);
+    sums.squaredError += noise * noise + difference * difference;
+  }
+  return sums;
+}
+
+ExtremalityErrors::Surroundings ExtremalityErrors::LookAround(Id p) const
+{
+  const TriangleMesh& mesh = this->Source_.mesh;
+  const FitErrorSource& errors = this->Source_.errors;
+  const std::vector<std::uint8_t>& isFlagged = this->Source_.isFlagged;
+  const bool hasHeights = errors.fitResidual && errors.fitScale;
+  // Averaged, as single fits have few points more than coefficients.
+  const auto squaredHeight = [&errors, hasHeights](Id q)
+  {
+    const double height = hasHeights ? errors.fitResidual[q] * errors.fitScale[q] : 0.0;
+    return height * height;
+  };
+  Surroundings around;
+  around.isFlagged = !isFlagged.empty() && isFlagged[p] != 0;
+  double heights = squaredHeight(p);
+  double points = 1.0;
+  Eigen::Vector3d gradients = Eigen::Vector3d::Zero();
+  double area = 0.0;
+  const double k = this->Source_.field.Curvature(this->Color_, p);
+  for (const Id t : mesh.TrianglesAround(p))
+  {
+    const Triangle& c = mesh.Corners(t);
+    const int corner = CornerOf(c, p);
+    const Id q = c[(corner + 1) % 3];
+    const Id r = c[(corner + 2) % 3];
+    around.isFlagged =
+      around.isFlagged || (!isFlagged.empty() && (isFlagged[q] != 0 || isFlagged[r] != 0));
+    heights += 0.5 * (squaredHeight(q) + squaredHeight(r));
+    points += 1.0;
+    const Eigen::Vector3d e1 = mesh.Point(q) - mesh.Point(p);
+    const Eigen::Vector3d e2 = mesh.Point(r) - mesh.Point(p);
+    const Eigen::Vector3d normal = e1.cross(e2);
+    const double length = normal.norm();
+    if (length > 0.0)
+    {
+      const double rise1 = this->Source_.field.Curvature(this->Color_, q) - k;
+      const double rise2 = this->Source_.field.Curvature(this->Color_, r) - k;
+      gradients += (rise1 * e2.cross(normal) + rise2 * normal.cross(e1)) / length;
+      area += length;
+    }
+  }
+  around.height = std::sqrt(heights / points);
+  around.derivative =
+    area > 0.0 ? gradients.dot(this->Source_.field.Direction(this->Color_, p)) / area : 0.0;
+  return around;
+}
+
+/// Of the fit, or, where there is none, about that of two rings.
+double ExtremalityErrors::RadiusAt(Id p) const
+{
+  if (this->Source_.errors.fitScale)
+  {
+    return this->Source_.errors.fitScale[p];
+  }
+  const TriangleMesh& mesh = this->Source_.mesh;
+  double squared = 0.0;
+  for (const Id t : mesh.TrianglesAround(p))
+  {
+    for (const Id q : mesh.Corners(t))
+    {
+      squared = std::max(squared, (mesh.Point(q) - mesh.Point(p)).squaredNorm());
+    }
+  }
+  return 2.0 * std::sqrt(squared);
+}
+
+double ExtremalityErrors::GainAt(Id p) const
+{
+  const double* gain = this->Source_.errors.noiseGain;
+  return gain ? gain[p] : UsualGain;
+}
+
+double ExtremalityErrors::RoundingError(Id p, double radius) const
+{
+  const double grain = this->Rounding_ * this->Source_.mesh.Point(p).cwiseAbs().maxCoeff();
+  return (FitRounding + this->GainAt(p) * grain / radius) / (radius * radius);
+}
+
+bool ExtremalityErrors::IsRoundOff(Id p) const
+{
+  const double radius = this->RadiusAt(p);
+  return radius > 0.0 &&
+    std::abs(this->Source_.field.Extremality(this->Color_, p)) <=
+    this->Significance_ * this->RoundingError(p, radius);
+}
+
+/// What coarse meshes of smooth surfaces leave over is much less.
+bool ExtremalityErrors::IsUnresolved(Id p) const
+{
+  const FitErrorSource& errors = this->Source_.errors;
+  if (!errors.fitResidual || !errors.fitScale)
+  {
+    return false;
+  }
+  constexpr double mostTurn = 5.0;
+  constexpr double turn = 1.2;
+  constexpr double rough = 0.01;
+  const MongeField& field = this->Source_.field;
+  const double here = std::max(std::abs(field.k1[p]), std::abs(field.k2[p])) * errors.fitScale[p];
+  return here > mostTurn || (here > turn && errors.fitResidual[p] > rough);
+}
+
+} // namespace ridges

@@ -1,0 +1,276 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkRidges contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Ridges/RidgeZones.h"
+
+#include "Mesh/PositionHash.h"
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+namespace ridges
+{
+namespace
+{
+
+using Verdict = ExtremalityErrors::Verdict;
+
+constexpr Id NoRegion = -1;
+
+/// Of points at which the extremality is round-off a few are enough.
+constexpr std::size_t LeastRoundOff = 8;
+
+template <typename Visit>
+void ForNeighbors(const TriangleMesh& mesh, Id p, const Visit& visit)
+{
+  for (const Id t : mesh.TrianglesAround(p))
+  {
+    for (const Id q : mesh.Corners(t))
+    {
+      visit(q);
+    }
+  }
+}
+
+} // namespace
+
+RidgeZones::RidgeZones(const TriangleMesh& mesh, const std::vector<Verdict>& verdicts)
+  : Mesh_(mesh)
+  , RegionOf_(mesh.NumberOfPoints(), NoRegion)
+{
+  // Where no region may be, or one has been found.
+  std::vector<std::uint8_t> isTaken = this->NearOthers(verdicts);
+  std::vector<Id> sizes; // of the part of the mesh that each point is in
+  for (Id first = 0; first < mesh.NumberOfPoints(); ++first)
+  {
+    if (isTaken[first] || mesh.TrianglesAround(first).size() == 0)
+    {
+      continue;
+    }
+    std::vector<Id> region = this->RegionFrom(first, isTaken);
+    const auto count = [&region, &verdicts](Verdict verdict)
+    {
+      return static_cast<std::size_t>(std::count_if(region.begin(), region.end(),
+        [&verdicts, verdict](Id p) { return verdicts[p] == verdict; }));
+    };
+    const std::size_t roundOff = count(Verdict::RoundOff);
+    const std::size_t insignificant = count(Verdict::Insignificant);
+    const bool isRoundOff = insignificant == 0 && roundOff >= LeastRoundOff;
+    bool isZone = isRoundOff;
+    if (!isRoundOff && roundOff + insignificant >= LeastPoints)
+    {
+      if (sizes.empty())
+      {
+        sizes = this->SizesOfParts();
+      }
+      isZone = static_cast<double>(region.size()) >= LeastShare * sizes[first];
+    }
+    if (isZone)
+    {
+      for (const Id p : region)
+      {
+        this->RegionOf_[p] = static_cast<Id>(this->Regions_.size());
+      }
+      this->Regions_.push_back(std::move(region));
+      this->IsRoundOff_.push_back(isRoundOff ? 1 : 0);
+    }
+  }
+}
+
+std::vector<Id> RidgeZones::SizesOfParts() const
+{
+  std::vector<Id> sizes(this->Mesh_.NumberOfPoints(), 0);
+  std::vector<std::uint8_t> isTaken(sizes.size(), 0);
+  for (Id first = 0; first < this->Mesh_.NumberOfPoints(); ++first)
+  {
+    if (!isTaken[first])
+    {
+      const std::vector<Id> part = this->RegionFrom(first, isTaken);
+      for (const Id p : part)
+      {
+        sizes[p] = static_cast<Id>(part.size());
+      }
+    }
+  }
+  return sizes;
+}
+
+/// Points within the margin of such that are no part of a zone, by layers of neighbours.
+std::vector<std::uint8_t> RidgeZones::NearOthers(const std::vector<Verdict>& verdicts) const
+{
+  std::vector<std::uint8_t> isNear(verdicts.size(), 0);
+  std::vector<Id> layer;
+  for (Id p = 0; p < this->Mesh_.NumberOfPoints(); ++p)
+  {
+    if (verdicts[p] == Verdict::Significant || verdicts[p] == Verdict::Unresolved)
+    {
+      isNear[p] = 1;
+      layer.push_back(p);
+    }
+  }
+  for (int i = 0; i < Margin; ++i)
+  {
+    std::vector<Id> next;
+    for (const Id p : layer)
+    {
+      ForNeighbors(this->Mesh_, p,
+        [&isNear, &next](Id q)
+        {
+          if (!isNear[q])
+          {
+            isNear[q] = 1;
+            next.push_back(q);
+          }
+        });
+    }
+    layer = std::move(next);
+  }
+  return isNear;
+}
+
+std::vector<Id> RidgeZones::RegionFrom(Id first, std::vector<std::uint8_t>& isTaken) const
+{
+  std::vector<Id> region{ first };
+  isTaken[first] = 1;
+  for (std::size_t i = 0; i < region.size(); ++i)
+  {
+    ForNeighbors(this->Mesh_, region[i],
+      [&isTaken, &region](Id q)
+      {
+        if (!isTaken[q])
+        {
+          isTaken[q] = 1;
+          region.push_back(q);
+        }
+      });
+  }
+  return region;
+}
+
+void RidgeZones::Remove(std::size_t region)
+{
+  for (const Id p : this->Regions_[region])
+  {
+    this->RegionOf_[p] = NoRegion;
+  }
+  this->Regions_[region].clear();
+}
+
+std::vector<Id> RidgeZones::TrianglesOf(std::size_t region) const
+{
+  const auto isIn = [this, region](Id q) { return this->RegionOf_[q] == static_cast<Id>(region); };
+  std::vector<Id> triangles;
+  for (const Id p : this->Regions_[region])
+  {
+    for (const Id t : this->Mesh_.TrianglesAround(p))
+    {
+      const Triangle& c = this->Mesh_.Corners(t);
+      // Once, from the first corner inside.
+      if (*std::find_if(c.begin(), c.end(), isIn) == p &&
+        std::count_if(c.begin(), c.end(), isIn) > 1)
+      {
+        triangles.push_back(t);
+      }
+    }
+  }
+  return triangles;
+}
+
+std::vector<Id> SampleOf(
+  const TriangleMesh& mesh, const std::vector<Id>& region, const std::function<bool(Id)>& isDeep)
+{
+  constexpr std::size_t most = 32;
+  constexpr std::size_t least = 8;
+  constexpr std::size_t pointsPerSample = 150;
+  constexpr std::size_t triesPerSample = 8;
+  const std::size_t wanted = std::clamp(region.size() / pointsPerSample, least, most);
+  std::vector<std::pair<std::uint64_t, Id>> order;
+  order.reserve(region.size());
+  for (const Id p : region)
+  {
+    order.emplace_back(PositionHash(mesh.Point(p)), p);
+  }
+  const std::size_t tries = std::min(order.size(), triesPerSample * wanted);
+  std::partial_sort(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(tries), order.end());
+  std::vector<Id> sample;
+  for (std::size_t i = 0; i < tries && sample.size() < wanted; ++i)
+  {
+    if (isDeep(order[i].second))
+    {
+      sample.push_back(order[i].second);
+    }
+  }
+  return sample;
+}
+
+std::vector<std::uint8_t> RidgesInZones(const RidgeZones& zones, const TriangleMesh& mesh,
+  const std::vector<Ridge>& ridges, const std::vector<RidgeSegment>& segments,
+  const std::vector<RidgePath>& paths)
+{
+  const auto isInside = [&zones, &mesh](Id e)
+  {
+    const Edge& edge = mesh.EdgeAt(e);
+    return zones.RegionOf(edge.v0) >= 0 && zones.RegionOf(edge.v1) >= 0;
+  };
+  const auto isWhollyInside = [&isInside, &zones, &mesh, &segments, &paths](const Ridge& ridge)
+  {
+    const auto isNodeInside = [&isInside, &zones, &mesh](Id node)
+    {
+      if (!Ridge::IsUmbilic(node))
+      {
+        return isInside(node);
+      }
+      const Triangle& c = mesh.Corners(Ridge::TriangleOfUmbilic(node));
+      return std::all_of(c.begin(), c.end(), [&zones](Id p) { return zones.RegionOf(p) >= 0; });
+    };
+    const auto isSegmentInside = [&isInside, &segments, &paths](Id s)
+    {
+      if (segments[s].path == RidgeSegment::NoPath)
+      {
+        return true;
+      }
+      const std::vector<Id>& edges = paths[segments[s].path].edges;
+      return std::all_of(edges.begin(), edges.end(), isInside);
+    };
+    return std::all_of(ridge.nodes.begin(), ridge.nodes.end(), isNodeInside) &&
+      std::all_of(ridge.segments.begin(), ridge.segments.end(), isSegmentInside);
+  };
+  std::vector<std::uint8_t> isLeftOut(ridges.size(), 0);
+  std::map<Id, std::vector<std::size_t>> ridgesAt; // by umbilic
+  std::vector<std::size_t> kept;
+  for (std::size_t i = 0; i < ridges.size(); ++i)
+  {
+    isLeftOut[i] = isWhollyInside(ridges[i]) ? 1 : 0;
+    if (!isLeftOut[i])
+    {
+      kept.push_back(i);
+    }
+    for (const Id node : { ridges[i].nodes.front(), ridges[i].nodes.back() })
+    {
+      if (Ridge::IsUmbilic(node))
+      {
+        ridgesAt[node].push_back(i);
+      }
+    }
+  }
+  // What is kept keeps what it is connected to.
+  for (std::size_t i = 0; i < kept.size(); ++i)
+  {
+    for (const Id node : { ridges[kept[i]].nodes.front(), ridges[kept[i]].nodes.back() })
+    {
+      const auto at = ridgesAt.find(node);
+      for (std::size_t j = 0; at != ridgesAt.end() && j < at->second.size(); ++j)
+      {
+        const std::size_t other = at->second[j];
+        if (isLeftOut[other])
+        {
+          isLeftOut[other] = 0;
+          kept.push_back(other);
+        }
+      }
+    }
+  }
+  return isLeftOut;
+}
+
+} // namespace ridges

@@ -1,0 +1,233 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkRidges contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkRidgesZoneSearch.h"
+
+#include "Core/Mesh/PositionOrder.h"
+#include "Core/Ridges/ExtremalityProbe.h"
+#include "vtkRidgesBatches.h"
+#include "vtkRidgesMongeInput.h"
+
+#include "vtkPolyData.h"
+#include "vtkSMPThreadLocal.h"
+
+#include <algorithm>
+#include <memory>
+#include <utility>
+
+namespace
+{
+
+/// Fits around points of a sample on a larger scale.
+struct TryPoints
+{
+  const ridges::TriangleMesh& mesh;
+  const ridges::OrderedRings& rings;
+  int numberOfRings;
+  double significance;
+  const std::vector<ridges::Id>& sample;
+  std::vector<ridges::ExtremalityProbe::Trial>& trials;
+  vtkSMPThreadLocal<std::shared_ptr<ridges::ExtremalityProbe>> perThread;
+
+  void operator()(vtkIdType begin, vtkIdType end)
+  {
+    std::shared_ptr<ridges::ExtremalityProbe>& probe = this->perThread.Local();
+    if (!probe)
+    {
+      probe = std::make_shared<ridges::ExtremalityProbe>(this->mesh, this->rings);
+    }
+    for (vtkIdType i = begin; i < end; ++i)
+    {
+      this->trials[i] = probe->Try(this->sample[i], this->numberOfRings, this->significance);
+    }
+  }
+};
+
+/// The regions that hold ridges.
+std::vector<std::size_t> RegionsOf(const ridges::RidgeZones& zones,
+  const ridges::TriangleMesh& mesh, const std::vector<ridges::Ridge>& whole,
+  const std::vector<std::uint8_t>& isIn)
+{
+  std::vector<std::uint8_t> holds(zones.Regions().size(), 0);
+  for (std::size_t i = 0; i < whole.size(); ++i)
+  {
+    if (isIn[i])
+    {
+      const ridges::Id node = whole[i].nodes.front();
+      const ridges::Id point = ridges::Ridge::IsUmbilic(node)
+        ? mesh.Corners(ridges::Ridge::TriangleOfUmbilic(node))[0]
+        : mesh.EdgeAt(node).v0;
+      holds[zones.RegionOf(point)] = 1;
+    }
+  }
+  std::vector<std::size_t> regions;
+  for (std::size_t i = 0; i < holds.size(); ++i)
+  {
+    if (holds[i])
+    {
+      regions.push_back(i);
+    }
+  }
+  return regions;
+}
+
+} // namespace
+
+vtkRidgesZoneSearch::vtkRidgesZoneSearch(
+  const vtkRidgesMongeInput& monge, ridges::Color color, double significance)
+  : Monge(monge)
+  , Color(color)
+  , Significance(significance)
+  , IsFlagged(monge.arrays.FlaggedPoints())
+  , Errors({ monge.mesh.GetTriangles(), monge.arrays.GetField(), monge.arrays.GetErrors(),
+             this->IsFlagged },
+      color, significance)
+{
+}
+
+bool vtkRidgesZoneSearch::Run(vtkAlgorithm* filter, double from, double to,
+  const std::vector<ridges::RidgeSegment>& segments, const std::vector<ridges::RidgePath>& paths,
+  std::vector<ridges::Ridge>& whole, vtkRidgesZones& found)
+{
+  if (this->AreAllClear(whole))
+  {
+    return true;
+  }
+  if (!this->JudgePoints(filter, from, to))
+  {
+    return false;
+  }
+  const ridges::TriangleMesh& mesh = this->Monge.mesh.GetTriangles();
+  ridges::RidgeZones zones(mesh, this->Errors.Verdicts());
+  const auto inZones = [&zones, &mesh, &whole, &segments, &paths]
+  { return ridges::RidgesInZones(zones, mesh, whole, segments, paths); };
+  std::vector<std::uint8_t> isLeftOut = inZones();
+  if (this->RemoveResolved(zones, RegionsOf(zones, mesh, whole, isLeftOut)))
+  {
+    isLeftOut = inZones();
+  }
+  for (const std::size_t region : RegionsOf(zones, mesh, whole, isLeftOut))
+  {
+    found.triangles.push_back(zones.TrianglesOf(region));
+  }
+  ridges::SortByPosition(mesh, found.triangles);
+  std::vector<ridges::Ridge> kept;
+  for (std::size_t i = 0; i < whole.size(); ++i)
+  {
+    if (!isLeftOut[i])
+    {
+      kept.push_back(std::move(whole[i]));
+    }
+  }
+  found.numberOfRidges += static_cast<vtkIdType>(whole.size() - kept.size());
+  whole = std::move(kept);
+  return true;
+}
+
+/// Whether each ridge passes a place, of a few, where the extremality is significant: then it lies
+/// in no zone.
+bool vtkRidgesZoneSearch::AreAllClear(const std::vector<ridges::Ridge>& whole)
+{
+  constexpr std::size_t places = 5;
+  return std::all_of(whole.begin(), whole.end(),
+    [this](const ridges::Ridge& ridge)
+    {
+      const std::vector<ridges::Id>& nodes = ridge.nodes;
+      for (std::size_t i = 0; i < places; ++i)
+      {
+        const ridges::Id node = nodes[nodes.size() * (2 * i + 1) / (2 * places)];
+        if (!ridges::Ridge::IsUmbilic(node) &&
+          this->Errors.IsSignificantAt(this->Monge.mesh.GetTriangles().EdgeAt(node).v0))
+        {
+          return true;
+        }
+      }
+      return false;
+    });
+}
+
+bool vtkRidgesZoneSearch::JudgePoints(vtkAlgorithm* filter, double from, double to)
+{
+  const vtkIdType count = this->Monge.mesh.GetTriangles().NumberOfPoints();
+  const auto id = [](vtkIdType p) { return static_cast<ridges::Id>(p); };
+  const auto measure = [this, &id](vtkIdType begin, vtkIdType end)
+  { this->Errors.Measure(id(begin), id(end)); };
+  const auto sum = [this, &id](vtkIdType begin, vtkIdType end)
+  { this->Errors.Sum(id(begin), id(end)); };
+  const auto judge = [this, &id](vtkIdType begin, vtkIdType end)
+  { this->Errors.Judge(id(begin), id(end)); };
+  const double step = (to - from) / 3.0;
+  this->Errors.Begin();
+  return vtkRidgesForBatches(filter, count, from, from + step, measure) &&
+    vtkRidgesForBatches(filter, count, from + step, from + 2.0 * step, sum) &&
+    vtkRidgesForBatches(filter, count, from + 2.0 * step, to, judge);
+}
+
+/// Regions where noise only hides ridges are no zones. Whether there were any.
+bool vtkRidgesZoneSearch::RemoveResolved(
+  ridges::RidgeZones& zones, const std::vector<std::size_t>& regions) const
+{
+  const ridges::FitErrorSource& errors = this->Monge.arrays.GetErrors();
+  if (regions.empty() || !errors.fitResidual || !errors.fitScale)
+  {
+    return false;
+  }
+  const ridges::TriangleMesh& mesh = this->Monge.mesh.GetTriangles();
+  ridges::OrderedRings rings(mesh);
+  vtkSMPTools::For(0, mesh.NumberOfPoints(),
+    [&rings](vtkIdType begin, vtkIdType end)
+    { rings.Build(static_cast<ridges::Id>(begin), static_cast<ridges::Id>(end)); });
+  bool any = false;
+  for (const std::size_t region : regions)
+  {
+    if (!zones.IsRoundOff(region) && this->ShowsOnLargerScale(zones, region, rings))
+    {
+      zones.Remove(region);
+      any = true;
+    }
+  }
+  return any;
+}
+
+bool vtkRidgesZoneSearch::ShowsOnLargerScale(
+  const ridges::RidgeZones& zones, std::size_t region, const ridges::OrderedRings& rings) const
+{
+  const ridges::TriangleMesh& mesh = this->Monge.mesh.GetTriangles();
+  const auto isIn = [this, &zones, region](ridges::Id p)
+  {
+    return zones.RegionOf(p) == static_cast<ridges::Id>(region) &&
+      (this->IsFlagged.empty() || this->IsFlagged[p] == 0);
+  };
+  ridges::ExtremalityProbe depth(mesh, rings);
+  for (const int numberOfRings : { 4, 7, 12 })
+  {
+    const std::vector<ridges::Id> sample = ridges::SampleOf(mesh, zones.Regions()[region],
+      [&depth, &isIn, numberOfRings](ridges::Id p)
+      { return depth.IsDeepIn(isIn, p, numberOfRings); });
+    std::vector<ridges::ExtremalityProbe::Trial> trials(sample.size());
+    TryPoints tryPoints{ mesh, rings, numberOfRings, this->Significance, sample, trials, {} };
+    vtkSMPTools::For(0, static_cast<vtkIdType>(sample.size()), 1, tryPoints);
+
+    // More than chance would have: a few are significant on surfaces without ridges.
+    constexpr double chance = 0.07;
+    constexpr std::ptrdiff_t most = 2;
+    constexpr std::ptrdiff_t fewest = 8;
+    using Trial = ridges::ExtremalityProbe::Trial;
+    const auto usable = std::count_if(
+      trials.begin(), trials.end(), [](const Trial& trial) { return trial.isUsable; });
+    const auto significant = std::count_if(trials.begin(), trials.end(),
+      [this](const Trial& trial) {
+        return this->Color == ridges::Color::Blue ? trial.isBlueSignificant
+                                                  : trial.isRedSignificant;
+      });
+    if (usable < fewest)
+    {
+      return false;
+    }
+    if (significant > most &&
+      static_cast<double>(significant) > chance * static_cast<double>(usable))
+    {
+      return true;
+    }
+  }
+  return false;
+}
