@@ -7,7 +7,7 @@
 #include "Coherence/RidgeChecks.h"
 #include "Coherence/UmbilicChecks.h"
 
-#include <iterator>
+#include <type_traits>
 
 namespace ridges
 {
@@ -21,6 +21,10 @@ std::vector<CoherenceCheck> CheckCoherence(
   const RidgePicture& picture, double leastCosine, const Monitor& monitor)
 {
   std::vector<WholeRidge> ridges;
+  std::vector<CoherenceCheck> results;
+  constexpr double steps = 15.0; // with the ridges
+  const Monitor within = [&monitor, &results](double done)
+  { return monitor((1.0 + static_cast<double>(results.size()) + done) / steps); };
   const std::function<CoherenceCheck()> checks[] = {
     [&picture] { return CheckIndexSum(picture); },
     [&picture] { return CheckUmbilicsPerTriangle(picture); },
@@ -28,7 +32,7 @@ std::vector<CoherenceCheck> CheckCoherence(
     [&picture, &ridges] { return CheckTypesAtUmbilics(picture, ridges); },
     [&picture, &ridges] { return CheckRidgeEnds(picture, ridges); },
     [&picture, &ridges] { return CheckTurningPoints(picture, ridges); },
-    [&picture, &ridges] { return CheckNoIntersections(picture, ridges); },
+    [&picture, &ridges, &within] { return CheckNoIntersections(picture, ridges, within); },
     [&picture] { return CheckPatches(picture); },
     [&picture, &ridges] { return CheckRidgesInPatches(picture, ridges); },
     [&picture, &ridges] { return CheckPatchContours(picture, ridges); },
@@ -37,12 +41,11 @@ std::vector<CoherenceCheck> CheckCoherence(
     [&picture, &ridges] { return CheckPointsOnEdges(picture, ridges); },
     [&picture, &ridges] { return CheckCrossings(picture, ridges); },
   };
-  const double steps = 1.0 + static_cast<double>(std::size(checks));
+  static_assert(std::extent_v<decltype(checks)> + 1 == static_cast<std::size_t>(steps));
   ridges = FindWholeRidges(picture);
-  std::vector<CoherenceCheck> results;
   for (const std::function<CoherenceCheck()>& check : checks)
   {
-    if (!monitor((1.0 + static_cast<double>(results.size())) / steps))
+    if (!within(0.0))
     {
       return {};
     }

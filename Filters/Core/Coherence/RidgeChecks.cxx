@@ -202,12 +202,18 @@ CoherenceCheck CheckTurningPoints(
 }
 
 CoherenceCheck CheckNoIntersections(
-  const RidgePicture& picture, const std::vector<WholeRidge>& ridges)
+  const RidgePicture& picture, const std::vector<WholeRidge>& ridges, const Monitor& monitor)
 {
   CoherenceCheck check(CheckKind::Intersections, OffenderKind::Triangle);
   std::vector<Chord> chords;
-  for (const WholeRidge& ridge : ridges)
+  for (std::size_t i = 0; i < ridges.size(); ++i)
   {
+    constexpr std::size_t between = 4096;
+    if (i % between == 0 && !monitor(0.5 * static_cast<double>(i) / ridges.size()))
+    {
+      return check;
+    }
+    const WholeRidge& ridge = ridges[i];
     for (const RidgeChain& chain : ridge.chains)
     {
       for (const RidgePiece& piece : PiecesOf(picture, chain))
@@ -218,6 +224,10 @@ CoherenceCheck CheckNoIntersections(
         }
       }
     }
+  }
+  if (!monitor(0.5))
+  {
+    return check;
   }
   std::stable_sort(chords.begin(), chords.end(),
     [](const Chord& a, const Chord& b)

@@ -3,6 +3,7 @@
 #ifndef ridges_RidgeChecks_h
 #define ridges_RidgeChecks_h
 
+#include "Base/Monitor.h"
 #include "Coherence/CoherenceCheck.h"
 #include "Coherence/WholeRidges.h"
 
@@ -19,8 +20,8 @@ CoherenceCheck CheckTurningPoints(
   const RidgePicture& picture, const std::vector<WholeRidge>& ridges);
 
 /// Ridges of one colour do not cross each other, nor themselves, in any triangle.
-CoherenceCheck CheckNoIntersections(
-  const RidgePicture& picture, const std::vector<WholeRidge>& ridges);
+CoherenceCheck CheckNoIntersections(const RidgePicture& picture,
+  const std::vector<WholeRidge>& ridges, const Monitor& monitor = NeverStops);
 
 } // namespace ridges
 
