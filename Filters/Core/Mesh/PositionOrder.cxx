@@ -65,6 +65,7 @@ void SortByPosition(const TriangleMesh& mesh, std::vector<std::vector<Id>>& grou
   std::sort(firsts.begin(), firsts.end(),
     [&precedes](const auto& a, const auto& b) { return precedes(a.first, b.first); });
   std::vector<std::vector<Id>> sorted;
+  sorted.reserve(firsts.size());
   for (const auto& first : firsts)
   {
     sorted.push_back(std::move(groups[first.second]));
