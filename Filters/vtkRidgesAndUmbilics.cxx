@@ -46,16 +46,16 @@ public:
 
   std::array<vtkPolyDataAlgorithm*, 4> GetStages()
   {
-    return { this->Jets, this->Umbilics, this->Ridges, this->Selection };
+    return { this->jets, this->umbilics, this->ridges, this->selection };
   }
 
   void TakeIn(vtkPolyData* input);
 
-  vtkNew<vtkJetFitting> Jets;
-  vtkNew<vtkUmbilicDetection> Umbilics;
-  vtkNew<vtkRidgeExtraction> Ridges;
-  vtkNew<vtkRidgeSharpnessFilter> Selection;
-  std::string ErrorText; ///< Of the stages, in this update.
+  vtkNew<vtkJetFitting> jets;
+  vtkNew<vtkUmbilicDetection> umbilics;
+  vtkNew<vtkRidgeExtraction> ridges;
+  vtkNew<vtkRidgeSharpnessFilter> selection;
+  std::string errorText; ///< Of the stages, in this update.
 
 private:
   void ForwardProgress(vtkObject* stage, unsigned long, void*);
@@ -69,15 +69,15 @@ private:
 vtkRidgesAndUmbilics::vtkInternals::vtkInternals(vtkRidgesAndUmbilics* filter)
   : Filter(filter)
 {
-  this->Umbilics->SetInputConnection(this->Jets->GetOutputPort());
-  this->Ridges->SetInputConnection(this->Umbilics->GetOutputPort());
-  this->Selection->SetInputConnection(this->Ridges->GetOutputPort());
+  this->umbilics->SetInputConnection(this->jets->GetOutputPort());
+  this->ridges->SetInputConnection(this->umbilics->GetOutputPort());
+  this->selection->SetInputConnection(this->ridges->GetOutputPort());
 
   // What part of the time each stage takes, roughly, on meshes of any size.
-  this->Jets->SetProgressShiftScale(0.0, 0.5);
-  this->Umbilics->SetProgressShiftScale(0.5, 0.2);
-  this->Ridges->SetProgressShiftScale(0.7, 0.25);
-  this->Selection->SetProgressShiftScale(0.95, 0.05);
+  this->jets->SetProgressShiftScale(0.0, 0.5);
+  this->umbilics->SetProgressShiftScale(0.5, 0.2);
+  this->ridges->SetProgressShiftScale(0.7, 0.25);
+  this->selection->SetProgressShiftScale(0.95, 0.05);
 
   for (vtkPolyDataAlgorithm* stage : this->GetStages())
   {
@@ -96,7 +96,7 @@ void vtkRidgesAndUmbilics::vtkInternals::TakeIn(vtkPolyData* input)
   {
     vtkNew<vtkPolyData> copy;
     copy->ShallowCopy(input);
-    this->Jets->SetInputData(copy);
+    this->jets->SetInputData(copy);
     this->LastInput = input;
     this->LastInputTime = input->GetMTime();
   }
@@ -119,9 +119,9 @@ void vtkRidgesAndUmbilics::vtkInternals::ForwardMessage(vtkObject*, unsigned lon
   {
     vtkWarningWithObjectMacro(this->Filter, << bare);
   }
-  else if (this->ErrorText.empty()) // then the executive only adds that its stage has failed
+  else if (this->errorText.empty()) // then the executive only adds that its stage has failed
   {
-    this->ErrorText = bare;
+    this->errorText = bare;
   }
 }
 
@@ -137,35 +137,35 @@ void vtkRidgesAndUmbilics::vtkInternals::ForwardMessage(vtkObject*, unsigned lon
     return this->Internals->stage->Get##name();                                                    \
   }
 
-vtkRidgesStagePropertyMacro(Jets, Neighborhood, int);
-vtkRidgesStagePropertyMacro(Jets, MinimumNumberOfPoints, int);
-vtkRidgesStagePropertyMacro(Jets, NumberOfRings, int);
-vtkRidgesStagePropertyMacro(Jets, Radius, double);
-vtkRidgesStagePropertyMacro(Jets, Weighting, int);
-vtkRidgesStagePropertyMacro(Jets, StandardErrors, bool);
-vtkRidgesStagePropertyMacro(Umbilics, Method, int);
-vtkRidgesStagePropertyMacro(Umbilics, Significance, double);
-vtkRidgesStagePropertyMacro(Umbilics, PatchSize, double);
-vtkRidgesStagePropertyMacro(Ridges, TypeRule, int);
-vtkRidgesStagePropertyMacro(Ridges, CrossingRule, int);
-vtkRidgesStagePropertyMacro(Ridges, UmbilicJoining, int);
-vtkRidgesStagePropertyMacro(Ridges, LoopSignificance, double);
-vtkRidgesStagePropertyMacro(Ridges, ZoneSignificance, double);
-vtkRidgesStagePropertyMacro(Ridges, TypeHysteresis, double);
-vtkRidgesStagePropertyMacro(Ridges, ModelSize, double);
-vtkRidgesStagePropertyMacro(Ridges, UmbilicCutOff, double);
-vtkRidgesStagePropertyMacro(Selection, MinimumSharpness, double);
-vtkRidgesStagePropertyMacro(Selection, MinimumStrength, double);
-vtkRidgesStagePropertyMacro(Selection, MinimumLength, double);
-vtkRidgesStagePropertyMacro(Selection, KeepMaximumElliptic, bool);
-vtkRidgesStagePropertyMacro(Selection, KeepMaximumHyperbolic, bool);
-vtkRidgesStagePropertyMacro(Selection, KeepMinimumElliptic, bool);
-vtkRidgesStagePropertyMacro(Selection, KeepMinimumHyperbolic, bool);
-vtkRidgesStagePropertyMacro(Selection, KeepUndecided, bool);
-vtkRidgesStagePropertyMacro(Selection, CrestOnly, bool);
-vtkRidgesStagePropertyMacro(Selection, WholeRidges, bool);
-vtkRidgesStagePropertyMacro(Selection, MaximumNumber, int);
-vtkRidgesStagePropertyMacro(Selection, RankBy, int);
+vtkRidgesStagePropertyMacro(jets, Neighborhood, int);
+vtkRidgesStagePropertyMacro(jets, MinimumNumberOfPoints, int);
+vtkRidgesStagePropertyMacro(jets, NumberOfRings, int);
+vtkRidgesStagePropertyMacro(jets, Radius, double);
+vtkRidgesStagePropertyMacro(jets, Weighting, int);
+vtkRidgesStagePropertyMacro(jets, StandardErrors, bool);
+vtkRidgesStagePropertyMacro(umbilics, Method, int);
+vtkRidgesStagePropertyMacro(umbilics, Significance, double);
+vtkRidgesStagePropertyMacro(umbilics, PatchSize, double);
+vtkRidgesStagePropertyMacro(ridges, TypeRule, int);
+vtkRidgesStagePropertyMacro(ridges, CrossingRule, int);
+vtkRidgesStagePropertyMacro(ridges, UmbilicJoining, int);
+vtkRidgesStagePropertyMacro(ridges, LoopSignificance, double);
+vtkRidgesStagePropertyMacro(ridges, ZoneSignificance, double);
+vtkRidgesStagePropertyMacro(ridges, TypeHysteresis, double);
+vtkRidgesStagePropertyMacro(ridges, ModelSize, double);
+vtkRidgesStagePropertyMacro(ridges, UmbilicCutOff, double);
+vtkRidgesStagePropertyMacro(selection, MinimumSharpness, double);
+vtkRidgesStagePropertyMacro(selection, MinimumStrength, double);
+vtkRidgesStagePropertyMacro(selection, MinimumLength, double);
+vtkRidgesStagePropertyMacro(selection, KeepMaximumElliptic, bool);
+vtkRidgesStagePropertyMacro(selection, KeepMaximumHyperbolic, bool);
+vtkRidgesStagePropertyMacro(selection, KeepMinimumElliptic, bool);
+vtkRidgesStagePropertyMacro(selection, KeepMinimumHyperbolic, bool);
+vtkRidgesStagePropertyMacro(selection, KeepUndecided, bool);
+vtkRidgesStagePropertyMacro(selection, CrestOnly, bool);
+vtkRidgesStagePropertyMacro(selection, WholeRidges, bool);
+vtkRidgesStagePropertyMacro(selection, MaximumNumber, int);
+vtkRidgesStagePropertyMacro(selection, RankBy, int);
 
 #undef vtkRidgesStagePropertyMacro
 
@@ -185,9 +185,9 @@ int vtkRidgesAndUmbilics::RequestUpdateExtent(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkRidgesRequestGhostLevels(inputVector[0],
-    vtkRidgesGhostLevelsOf(this->Internals->Jets) +
-      vtkRidgesGhostLevelsOf(this->Internals->Umbilics) +
-      vtkRidgesGhostLevelsOf(this->Internals->Ridges));
+    vtkRidgesGhostLevelsOf(this->Internals->jets) +
+      vtkRidgesGhostLevelsOf(this->Internals->umbilics) +
+      vtkRidgesGhostLevelsOf(this->Internals->ridges));
   return this->Superclass::RequestUpdateExtent(request, inputVector, outputVector);
 }
 
@@ -209,13 +209,13 @@ int vtkRidgesAndUmbilics::RequestData(
 
   vtkInternals& internals = *this->Internals;
   internals.TakeIn(input);
-  internals.ErrorText.clear();
+  internals.errorText.clear();
   for (vtkPolyDataAlgorithm* stage : internals.GetStages())
   {
     stage->Update();
-    if (!internals.ErrorText.empty())
+    if (!internals.errorText.empty())
     {
-      vtkErrorMacro(<< internals.ErrorText);
+      vtkErrorMacro(<< internals.errorText);
       return 0;
     }
     if (vtkRidgesCompatibility::IsAborted(this))
@@ -227,9 +227,9 @@ int vtkRidgesAndUmbilics::RequestData(
     }
   }
 
-  vtkPolyData::GetData(outputVector, RIDGES)->ShallowCopy(internals.Selection->GetOutput());
-  vtkPolyData::GetData(outputVector, UMBILICS)->ShallowCopy(internals.Umbilics->GetOutput(1));
-  vtkPolyData::GetData(outputVector, MESH)->ShallowCopy(internals.Ridges->GetOutput(2));
+  vtkPolyData::GetData(outputVector, RIDGES)->ShallowCopy(internals.selection->GetOutput());
+  vtkPolyData::GetData(outputVector, UMBILICS)->ShallowCopy(internals.umbilics->GetOutput(1));
+  vtkPolyData::GetData(outputVector, MESH)->ShallowCopy(internals.ridges->GetOutput(2));
   return 1;
 }
 

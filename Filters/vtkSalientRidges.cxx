@@ -66,13 +66,14 @@ public:
   explicit vtkInternals(vtkSalientRidges* filter)
     : Filter(filter)
   {
-    for (FieldStages* field : { &this->Clean, &this->Noisy })
+    for (FieldStages* field : { &this->cleanField, &this->noisyField })
     {
       field->jets->SetDegree(2);
       field->jets->SetMongeOrder(2);
     }
-    for (vtkPolyDataAlgorithm* stage : std::array<vtkPolyDataAlgorithm*, 5>{ this->Clean.jets,
-           this->Clean.smoothing, this->Noisy.jets, this->Noisy.smoothing, this->Umbilics })
+    for (vtkPolyDataAlgorithm* stage :
+      std::array<vtkPolyDataAlgorithm*, 5>{ this->cleanField.jets, this->cleanField.smoothing,
+        this->noisyField.jets, this->noisyField.smoothing, this->umbilics })
     {
       stage->AddObserver(vtkCommand::ProgressEvent, this, &vtkInternals::ForwardProgress);
       stage->AddObserver(vtkCommand::WarningEvent, this, &vtkInternals::ForwardMessage);
@@ -107,10 +108,10 @@ public:
   /// Stores the lines; false where the user aborted.
   bool FindLines(vtkPolyData* marked, double floor, vtkPolyData* output);
 
-  std::string ErrorText;
-  FieldStages Clean;
-  FieldStages Noisy; ///< With noise added.
-  vtkNew<vtkUmbilicDetection> Umbilics;
+  std::string errorText;
+  FieldStages cleanField;
+  FieldStages noisyField; ///< With noise added.
+  vtkNew<vtkUmbilicDetection> umbilics;
 
 private:
   void ForwardProgress(vtkObject* stage, unsigned long, void*);
@@ -145,9 +146,9 @@ void vtkSalientRidges::vtkInternals::ForwardMessage(vtkObject*, unsigned long ev
       vtkWarningWithObjectMacro(this->Filter, << bare);
     }
   }
-  else if (this->ErrorText.empty()) // then the executive only adds that its stage has failed
+  else if (this->errorText.empty()) // then the executive only adds that its stage has failed
   {
-    this->ErrorText = bare;
+    this->errorText = bare;
   }
 }
 
@@ -165,7 +166,7 @@ vtkPolyData* vtkSalientRidges::vtkInternals::Run(
     stage->Modified();
     return nullptr;
   }
-  return this->ErrorText.empty() ? stage->GetOutput() : nullptr;
+  return this->errorText.empty() ? stage->GetOutput() : nullptr;
 }
 
 bool vtkSalientRidges::vtkInternals::FindNoiseFloor(vtkPolyData* smoothed, double& floor)
@@ -212,7 +213,7 @@ bool vtkSalientRidges::vtkInternals::FindNoiseFloor(vtkPolyData* smoothed, doubl
   noisy->SetPoints(points);
   noisy->SetPolys(smoothed->GetPolys());
   this->Silent = true;
-  vtkPolyData* again = this->Smooth(this->Noisy, noisy, 0.44, 0.6);
+  vtkPolyData* again = this->Smooth(this->noisyField, noisy, 0.44, 0.6);
   this->Silent = false;
   vtkRidgesMongeArrays arrays;
   if (!again || !arrays.FetchSecondOrder(this->Filter, again).empty())
@@ -247,8 +248,8 @@ bool vtkSalientRidges::vtkInternals::FindLines(
       "The surface is inside out: crests and valleys change places (vtkPolyDataNormals with "
       "AutoOrientNormals turns it).");
   }
-  const vtkRidgesUmbilicMarks umbilics(monge.mesh);
-  const vtkRidgesSearch search(monge, umbilics);
+  const vtkRidgesUmbilicMarks marks(monge.mesh);
+  const vtkRidgesSearch search(monge, marks);
   const double diameter = 2.0 * ridges::SmallestEnclosingSphere(mesh).radius;
   const double scale = this->Filter->RelativeScale * diameter;
   ridges::FoldRule folding;
@@ -310,19 +311,19 @@ int vtkSalientRidges::RequestData(
     return 0;
   }
   vtkInternals& stages = *this->Internals;
-  stages.ErrorText.clear();
+  stages.errorText.clear();
 
   vtkNew<vtkPolyData> copy; // a pipeline of its own must not leave its marks on the input
   copy->ShallowCopy(input);
-  vtkPolyData* smoothed = stages.Smooth(stages.Clean, copy, 0.0, 0.4);
+  vtkPolyData* smoothed = stages.Smooth(stages.cleanField, copy, 0.0, 0.4);
   double floor = 0.0;
   const bool hasFloor = !smoothed || this->NoiseFactor == 0.0 ||
     smoothed->GetNumberOfPoints() == 0 || stages.FindNoiseFloor(smoothed, floor);
   vtkPolyData* marked =
-    smoothed && hasFloor ? stages.Run(stages.Umbilics, smoothed, 0.6, 0.7) : nullptr;
-  if (!stages.ErrorText.empty())
+    smoothed && hasFloor ? stages.Run(stages.umbilics, smoothed, 0.6, 0.7) : nullptr;
+  if (!stages.errorText.empty())
   {
-    vtkErrorMacro(<< stages.ErrorText);
+    vtkErrorMacro(<< stages.errorText);
     return 0;
   }
   if (!marked || !stages.FindLines(marked, floor, output))
@@ -331,7 +332,7 @@ int vtkSalientRidges::RequestData(
   }
   mesh->ShallowCopy(marked);
   vtkPolyData::GetData(outputVector, UMBILICS)
-    ->ShallowCopy(stages.Umbilics->GetOutputDataObject(1));
+    ->ShallowCopy(stages.umbilics->GetOutputDataObject(1));
   SetFieldValue(mesh, names::NoiseFloor, floor);
   SetFieldValue(output, names::NoiseFloor, floor);
   return 1;
