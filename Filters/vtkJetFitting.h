@@ -39,15 +39,13 @@
  * outward normals has k1 = k2 = -1/r. vtkCurvatures has the opposite sign.
  *
  * Method: jet fitting. The principal axes of the neighbourhood give the height direction; offsets
- * are in units of its radius. Several points are fitted at once by refined normal equations;
- * ill-conditioned ones are fitted singly by an orthogonal decomposition. On a smooth surface
- * sampled at distance h the errors of k, b and c are of order Degree - 1, Degree - 2 and Degree - 3
- * in h, one order better on regular samplings. Guarantees: the same bytes for any number of
- * threads, any SMP back end and any numbering of points and cells; with and without fused
+ * are in units of its radius. Ill-conditioned points are fitted singly, by an orthogonal
+ * decomposition. On a smooth surface sampled at distance h the errors of k, b and c are of order
+ * Degree - 1, Degree - 2 and Degree - 3 in h, one better on regular samplings. Guarantees: the same
+ * bytes for any number of threads, any SMP back end and any numbering; with and without fused
  * multiply-add k, b and P differ by round-off (1e-12, 1e-10 and 1e-10 relative, on clean meshes).
- * No value is NaN: where nothing can be fitted all are 0 and FitStatus is FIT_INVALID. Polygons
- * and strips are triangulated. For composite data and ghosts see Documentation/Arrays.md.
- *
+ * No value is NaN: where nothing can be fitted all are 0 and FitStatus is FIT_INVALID. Polygons and
+ * strips are triangulated. For composite data and ghosts see Documentation/Arrays.md.
  * @warning The triangles must be consistently oriented: flipping the orientation changes the
  * sign of the curvatures and swaps maximum and minimum (k1' = -k2, k2' = -k1).
  * @sa vtkUmbilicDetection vtkRidgeExtraction vtkCurvatures
