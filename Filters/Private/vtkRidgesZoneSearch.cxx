@@ -208,7 +208,7 @@ bool vtkRidgesZoneSearch::ShowsOnLargerScale(
     vtkSMPTools::For(0, static_cast<vtkIdType>(sample.size()), 1, tryPoints);
 
     // More than chance would have: a few are significant on surfaces without ridges.
-    constexpr double chance = 0.07;
+    constexpr double chance = 0.1;
     constexpr std::ptrdiff_t most = 2;
     constexpr std::ptrdiff_t fewest = 8;
     using Trial = ridges::ExtremalityProbe::Trial;

@@ -180,7 +180,7 @@ std::vector<Id> SampleOf(
   const TriangleMesh& mesh, const std::vector<Id>& region, const std::function<bool(Id)>& isDeep)
 {
   constexpr std::size_t most = 32;
-  constexpr std::size_t least = 8;
+  constexpr std::size_t least = 24;
   constexpr std::size_t pointsPerSample = 150;
   constexpr std::size_t triesPerSample = 8;
   const std::size_t wanted = std::clamp(region.size() / pointsPerSample, least, most);
