@@ -68,7 +68,7 @@ JetFit PointFitter::FitTo(Span<Id> points, int degree)
   Eigen::Vector3d mean = Eigen::Vector3d::Zero();
   for (const Id p : points)
   {
-    mean += this->Mesh_.PointNormal(p);
+    mean += this->Normals_.At(p);
   }
   if (!AreNear(fit.frame.col(2), mean) && mean.squaredNorm() > 0.0)
   {
