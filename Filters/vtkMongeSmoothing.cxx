@@ -224,6 +224,15 @@ bool Smooth(const Task& task, SmoothedArrays& out)
   const std::vector<std::uint8_t>& usable = task.monge.arrays.GetUsable();
   const auto count = static_cast<vtkIdType>(task.rings.Mesh().NumberOfPoints());
   const ridges::SmoothingPlan plan(task.rings, task.scale, task.sigma);
+  if (plan.IsCut())
+  {
+    vtkWarningWithObjectMacro(task.filter,
+      "A scale of " << task.sigma
+                    << " is out of reach on edges so short: the field was smoothed in "
+                    << plan.Steps()
+                    << " steps, FitScale has what they reached (a smaller scale or a "
+                    << "coarser mesh helps).");
+  }
   ridges::RingAveraging<Forms::Components> averaging(task.rings);
   if (!ForPoints(task.filter, count, 0.2, 0.25,
         [&averaging, &field, &usable](Id p)

@@ -249,3 +249,21 @@ TEST(MongeSmoothing, NothingComesOfNothing)
   EXPECT_EQ(messages.ErrorText(), "");
   EXPECT_TRUE(IsEmpty(smoothing->GetOutput()));
 }
+
+TEST(MongeSmoothing, StopsWhereTheScaleIsOutOfReach)
+{
+  const auto fitted = Fit(EllipsoidData(6));
+  vtkNew<vtkMongeSmoothing> smoothing;
+  const MessageRecorder messages(smoothing);
+  smoothing->SetInputData(fitted);
+  smoothing->SetSigma(1e30);
+  smoothing->Update();
+  EXPECT_EQ(messages.NumberOfWarnings(), 1u);
+  EXPECT_NE(messages.WarningText().find("out of reach"), std::string::npos);
+  vtkDataArray* scale = smoothing->GetOutput()->GetPointData()->GetArray(names::FitScale);
+  for (vtkIdType p = 0; p < scale->GetNumberOfTuples(); ++p)
+  {
+    EXPECT_LT(scale->GetTuple1(p), 1e3);
+    EXPECT_GT(scale->GetTuple1(p), 1.0);
+  }
+}

@@ -170,7 +170,10 @@ SmoothingPlan::SmoothingPlan(const OneRings& rings, const double* fitScale, doub
     const auto which =
       steps.begin() + static_cast<std::ptrdiff_t>(part * static_cast<double>(steps.size() - 1));
     std::nth_element(steps.begin(), which, steps.end());
-    this->Steps_ = std::max(LeastSteps, static_cast<int>(std::ceil(*which)));
+    // So written that what is not finite is cut as well.
+    this->IsCut_ = !(*which <= MostSteps);
+    this->Steps_ =
+      this->IsCut_ ? MostSteps : std::max(LeastSteps, static_cast<int>(std::ceil(*which)));
   }
 }
 

@@ -50,10 +50,17 @@ public:
   /// Steps that all points take part in, however coarse the mesh is: derivatives need them.
   static constexpr int LeastSteps = 2;
 
+  /// As many steps average over 46 edges; more are not taken, so that a scale that is large by
+  /// mistake, as where one point lies far off, does not take forever.
+  static constexpr int MostSteps = 5000;
+
   /// `fitScale` has the radius of the fit at each point; null stands for 0.
   SmoothingPlan(const OneRings& rings, const double* fitScale, double sigma);
 
   int Steps() const { return this->Steps_; }
+
+  /// Whether the scale was out of reach for MostSteps.
+  bool IsCut() const { return this->IsCut_; }
   double Share(Id p) const;
 
   /// The standard deviation that comes out at p.
@@ -68,6 +75,7 @@ private:
   const double* FitScale_;
   double Variance_;
   int Steps_ = LeastSteps;
+  bool IsCut_ = false;
 };
 
 } // namespace ridges
