@@ -28,9 +28,10 @@
 #include "vtkFiltersRidgesModule.h" // For export macro
 #include "vtkJetFitting.h"          // For its enums
 #include "vtkPolyDataAlgorithm.h"
-#include "vtkRidgeExtraction.h"     // For its enums
-#include "vtkRidgesCompatibility.h" // For the ABI namespace
-#include "vtkUmbilicDetection.h"    // For its enums
+#include "vtkRidgeExtraction.h"      // For its enums
+#include "vtkRidgeSharpnessFilter.h" // For its enums
+#include "vtkRidgesCompatibility.h"  // For the ABI namespace
+#include "vtkUmbilicDetection.h"     // For its enums
 
 /// A property of a stage, under the same name.
 #define vtkRidgesStagePropertyMacro(name, type)                                                    \
@@ -131,6 +132,9 @@ public:
   vtkBooleanMacro(WholeRidges, bool);
   vtkRidgesStagePropertyMacro(MaximumNumber, int);
   vtkRidgesStagePropertyMacro(RankBy, int);
+  void SetRankByToSharpness() { this->SetRankBy(vtkRidgeSharpnessFilter::SHARPNESS); }
+  void SetRankByToStrength() { this->SetRankBy(vtkRidgeSharpnessFilter::STRENGTH); }
+  void SetRankByToLength() { this->SetRankBy(vtkRidgeSharpnessFilter::LENGTH); }
   ///@}
 
 protected:
