@@ -67,7 +67,7 @@ ExtremalityProbe::Trial ExtremalityProbe::Try(Id vertex, int numberOfRings, doub
 {
   Trial trial;
   const PointFit center = this->Fit(vertex, numberOfRings);
-  constexpr double mostTurn = 1.2;
+  constexpr double mostTurn = 0.9; // radian: degree four does not follow more
   if (!center.isGood ||
     std::max(std::abs(center.form.k1), std::abs(center.form.k2)) * center.radius > mostTurn)
   {
