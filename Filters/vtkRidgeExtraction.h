@@ -12,25 +12,22 @@
  * along it, with the principal directions at its ends turned to an acute angle. Crossings are
  * joined inside triangles, and at umbilics according to UmbilicJoining (Documentation/Theory.md).
  *
- * Input: a mesh with the point arrays MaximumCurvature, MinimumCurvature, MaximumDirection,
- * MinimumDirection and ThirdOrder of vtkJetFitting, and, needed by the fourth-order type rule only,
- * FourthOrder or else P1 and P2; with FourthOrder types are more reliable near umbilics. If
- * present, FitStatus marks invalid points, whose triangles are left out, and the umbilics that
- * vtkUmbilicDetection has marked are used. Arrays of other names can be chosen
- * (SetInputArrayToProcess). For these, composite data and ghosts see Documentation/Arrays.md.
+ * Input: a mesh with the arrays of vtkJetFitting (FourthOrder, or else P1 and P2, are needed by the
+ * fourth-order type rule only) and, if wanted, the marks of vtkUmbilicDetection. Triangles of
+ * points that FitStatus marks as invalid are left out. For arrays of other names, composite data
+ * and ghosts see Documentation/Arrays.md.
  *
  * Output port 0: a polyline per run of one type of a ridge. Consecutive polylines of one ridge
  * share their end point and RidgeId. Arrays: on cells RidgeType (see RidgeTypes), Crest, Closed,
- * RidgeId, Length, Strength and Sharpness; on points Curvature, SecondDerivative, Umbilic,
- * TurningPoint, EdgePoint0, EdgePoint1 and EdgeParameter. Without fourth order there are no
- * Sharpness and SecondDerivative.
+ * RidgeId, Length, Strength and, of fourth order, Sharpness; on points Curvature, SecondDerivative
+ * (fourth order), Umbilic, TurningPoint, EdgePoint0, EdgePoint1 and EdgeParameter.
  *
  * Output port 1, if FindPurplePoints is on: a vertex per purple point, with the point arrays
  * MaximumRidgeId and MinimumRidgeId of the ridges that cross there, and Triangle, the mesh's cell.
  *
  * Output port 2: the mesh. Its cell array RidgeZone has, for maximum and minimum ridges, the number
- * of the region in which their extremality is nowhere significant and they were left out, or -1
- * (section 7.2; Documentation/Theory.md). The field array NumberOfRidgeZones is on port 0, too.
+ * of the region in which they were left out, or -1 (see ZoneSignificance). The field array
+ * NumberOfRidgeZones is on port 0, too.
  *
  * Guarantees, on any mesh and with any values: ridges of one colour end only at umbilics and other
  * singular triangles, on borders, at non-manifold edges and at triangles left out. Order, starts
@@ -88,11 +85,10 @@ public:
 
   ///@{
   /**
-   * ExtractMaximum, ExtractMinimum: whether to extract ridges of the maximum curvature (blue and
-   * green) and of the minimum curvature (red and yellow). Default on. CrestOnly: only crest lines,
-   * the visually salient part of the elliptic ridges. Default off: the complete picture has all.
-   * FindPurplePoints: whether port 1 has the points where a blue ridge crosses a red one. Default
-   * off: few users need them.
+   * Whether to extract ridges of the maximum curvature (blue and green) and of the minimum
+   * curvature (red and yellow), default on; only crest lines, the visually salient part of elliptic
+   * ridges, default off; on port 1 the points where blue ridges cross red ones, default off: few
+   * need them.
    */
   vtkSetMacro(ExtractMaximum, bool);
   vtkGetMacro(ExtractMaximum, bool);
@@ -126,8 +122,8 @@ public:
    * (PRINCIPAL), or, for comparison, of the Gaussian extremality b0 b3 (GAUSSIAN, section 5.2.3),
    * whose curves change colour and ignore umbilics, ExtractMaximum and ExtractMinimum. Default
    * PRINCIPAL: it keeps ridges connected. CrossingRule places a crossing on its edge: at the zero
-   * of b0 or b3 of the Monge form interpolated along the edge (FORM), or by equation (4) from the
-   * values at its ends (LINEAR). Default FORM: LINEAR zigzags by a third of an edge near umbilics.
+   * of the interpolated Monge form (FORM), or by equation (4) from the values at its ends (LINEAR).
+   * Default FORM: LINEAR zigzags by a third of an edge near umbilics.
    */
   vtkSetClampMacro(ExtremalityRule, int, PRINCIPAL, GAUSSIAN);
   vtkGetMacro(ExtremalityRule, int);
