@@ -3,12 +3,12 @@
 #include "Ridges/Patch/PatchRidges.h"
 
 #include "Mesh/PositionOrder.h"
+#include "Ridges/Patch/PairingRing.h"
 #include "Ridges/Patch/PatchPaths.h"
 
 #include <Eigen/Geometry>
 
 #include <algorithm>
-#include <functional>
 #include <limits>
 #include <tuple>
 
@@ -133,59 +133,25 @@ PatchRidges::Joints PatchRidges::Join(const RidgePatch& patch, const PatchContou
     return cutsOff(i, j) ? std::numeric_limits<double>::max() : preferred;
   };
 
-  // A ring of those that are left, and a heap of neighbours in it, the cheapest first. Of two that
-  // are left each follows the other: the shorter way around.
-  const Id count = static_cast<Id>(crossings.size());
-  const std::size_t sides = contour.Sides().size();
-  std::vector<Id> next(crossings.size());
-  std::vector<Id> previous(crossings.size());
-  using Offer = std::tuple<double, std::size_t, Id, Id>; // Cost, steps, and both.
-  std::vector<Offer> offers;
-  const auto offer = [&crossings, &cost, &offers, &next, sides](Id from)
+  std::vector<std::size_t> places;
+  places.reserve(crossings.size());
+  for (const Crossing& crossing : crossings)
   {
-    const Id to = next[from];
-    const std::size_t steps = (crossings[to].side + sides - crossings[from].side) % sides;
-    offers.emplace_back(cost(from, to), steps, from, to);
-    std::push_heap(offers.begin(), offers.end(), std::greater<Offer>());
-  };
-  for (Id i = 0; i < count; ++i)
-  {
-    next[i] = i + 1 < count ? i + 1 : 0;
-    previous[i] = i > 0 ? i - 1 : count - 1;
+    places.push_back(crossing.side);
   }
-  for (Id i = 0; i < count; ++i)
-  {
-    offer(i);
-  }
+  const std::size_t wanted =
+    contour.Contains(patch.umbilic) ? static_cast<std::size_t>(patch.ridgeCount) : 0;
+  const PairingRing::Cost costOf = cost;
+  PairingRing ring(places, contour.Sides().size(), costOf);
   Joints joints;
-  const Id wanted = contour.Contains(patch.umbilic) ? static_cast<Id>(patch.ridgeCount) : 0;
-  std::vector<std::uint8_t> isLeft(crossings.size(), 1);
-  for (Id left = count; left > wanted && left > 1; left -= 2)
+  while (ring.Size() > wanted && ring.Size() > 1)
   {
-    const auto isOver = [&isLeft, &next](const Offer& made)
-    { return !isLeft[std::get<2>(made)] || next[std::get<2>(made)] != std::get<3>(made); };
-    while (isOver(offers.front()))
-    {
-      std::pop_heap(offers.begin(), offers.end(), std::greater<Offer>());
-      offers.pop_back();
-    }
-    const Id from = std::get<2>(offers.front());
-    const Id to = std::get<3>(offers.front());
+    const auto [from, to] = ring.TakeCheapest();
     joints.pairs.push_back({ crossings[from].side, crossings[to].side });
-    isLeft[from] = 0;
-    isLeft[to] = 0;
-    const Id before = previous[from];
-    const Id after = next[to];
-    next[before] = after;
-    previous[after] = before;
-    if (left > 3)
-    {
-      offer(before);
-    }
   }
-  for (Id i = 0; i < count; ++i)
+  for (Id i = 0; i < static_cast<Id>(crossings.size()); ++i)
   {
-    if (isLeft[i])
+    if (ring.Has(i))
     {
       joints.toUmbilic.push_back(crossings[i].side);
     }
