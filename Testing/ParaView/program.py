@@ -40,7 +40,8 @@ class AgainstProgram(unittest.TestCase):
     def compare(self, options, **properties):
         prefix = self.folder / "bunny"
         subprocess.run(
-            [PROGRAM, BUNNY, "--output", prefix, "--no-picture", "--write-mesh", "--quiet", *options],
+            [PROGRAM, BUNNY, "--complete", "--no-picture", "--write-mesh", "--quiet"]
+            + ["--output", prefix, *options],
             check=True,
         )
         # The mesh carries the results already: they have to be replaced, not passed on.

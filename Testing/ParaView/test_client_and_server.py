@@ -15,7 +15,7 @@ from ridges_paraview import load_plugin
 def start_server():
     """A pvserver that listens, and its port."""
     with socket.socket() as probe:
-        probe.bind(("localhost", 0))
+        probe.bind(("127.0.0.1", 0))
         port = probe.getsockname()[1]
     server = subprocess.Popen(
         [os.environ["RIDGES_PVSERVER"], f"--server-port={port}"],
@@ -35,7 +35,7 @@ class TestClientAndServer(AgainstProgram):
     @classmethod
     def setUpClass(cls):
         cls.server, port = start_server()
-        simple.Connect("localhost", port)
+        simple.Connect("127.0.0.1", port)
         load_plugin(remote=True)
         load_plugin(remote=False)
 

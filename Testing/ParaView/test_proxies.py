@@ -41,11 +41,11 @@ class TestProxies(unittest.TestCase):
 
     def test_the_whole_job_is_the_stages_in_a_row(self):
         mesh = example(32)
-        _, umbilics, _, selection = chain(mesh)
+        _, umbilics, ridges, selection = chain(mesh)
         whole = simple.RidgesAndUmbilics(Input=mesh)
         for setting in (selection, whole):
             setting.MinimumSharpness = 10.0
-        by_hand = (fetch(selection), fetch(umbilics, 1), fetch(umbilics))
+        by_hand = (fetch(selection), fetch(umbilics, 1), fetch(ridges, 2))
         for port, expected in enumerate(by_hand):
             expected = arrays(expected)
             found = arrays(fetch(whole, port))
@@ -164,7 +164,8 @@ for name in {names}:
         with Messages() as messages:
             ridges = fetch(whole)
         self.assertGreater(ridges.GetNumberOfLines(), 0)
-        self.assertEqual(len(messages.lines_of("vtkRidgesAndUmbilics")), 1, messages.text)
+        said = [line for line in messages.lines_of("vtkRidgesAndUmbilics") if "triangulated" in line]
+        self.assertEqual(len(said), 1, messages.text)
 
     def test_progress_reaches_the_session(self):
         session = simple.servermanager.ActiveConnection.Session
