@@ -29,9 +29,8 @@
  * of the region in which they were left out, or -1 (see ZoneSignificance). The field array
  * NumberOfRidgeZones is on port 0, too.
  *
- * Guarantees, on any mesh and with any values: ridges of one colour end only at umbilics and other
- * singular triangles, on borders, at non-manifold edges and at triangles left out. Order, starts
- * and directions of the ridges depend on positions only, not on the numbering.
+ * Guarantees, on any mesh: ridges of one colour end only at umbilics and other singular triangles, on
+ * borders, at non-manifold edges and at triangles left out. The numbering changes nothing.
  *
  * @sa vtkJetFitting vtkUmbilicDetection vtkRidgeSharpnessFilter
  */
@@ -137,8 +136,8 @@ public:
 
   ///@{
   /**
-   * How ridges are joined to umbilics: in the patches of vtkUmbilicDetection (section 6.3), or in
-   * all singular triangles (section 6.2). Default PATCHES: triangles near umbilics are unreliable.
+   * How ridges are joined to umbilics: in patches (section 6.3), or in all singular triangles
+   * (section 6.2). Default PATCHES: triangles near umbilics are unreliable.
    */
   vtkSetClampMacro(UmbilicJoining, int, PATCHES, TRIANGLES);
   vtkGetMacro(UmbilicJoining, int);
@@ -149,12 +148,10 @@ public:
   ///@{
   /**
    * What noise may have caused. LoopSignificance: loops around at most 64 points, at all of which
-   * b0 (b3) is within this many standard errors of 0, are left out; 0 to 100, default 3, which is
-   * rarely exceeded by chance; 0 keeps all. ZoneSignificance: ridges in a RidgeZone, in which b0
-   * (b3) is nowhere more than this many standard errors from 0, are left out; 0 to 100, default 3,
-   * as surfaces without ridges do not exceed it; 0 keeps all. TypeHysteresis: runs of one type
-   * shorter than this many mean edges become the type on both sides; 0 to 1000, default 0, as short
-   * runs may be true.
+   * b0 (b3) is within this many standard errors of 0, are left out; ZoneSignificance: so are ridges
+   * in regions with no larger b0 (b3) (RidgeZone). Both 0 to 100, default 3, which chance and
+   * surfaces without ridges rarely exceed; 0 keeps all. TypeHysteresis: runs of one type shorter
+   * than this many mean edges become the type on both sides; 0 to 1000, default 0: they may be true.
    */
   vtkSetClampMacro(LoopSignificance, double, 0.0, 100.0);
   vtkGetMacro(LoopSignificance, double);
@@ -166,10 +163,9 @@ public:
 
   ///@{
   /**
-   * ModelSize is the length that makes sharpness dimensionless, 0 or more; default 0: the radius of
-   * the smallest enclosing sphere of the mesh. Within UmbilicCutOff model sizes of an umbilic, 0 to
-   * 1, hyperbolic ridges add nothing to their sharpness, which would be infinite; default 0.01:
-   * with 0 the sharpness depends on the mesh.
+   * The length that makes sharpness dimensionless, 0 or more; default 0: the radius of the smallest
+   * enclosing sphere. Within UmbilicCutOff of these, 0 to 1, of an umbilic hyperbolic ridges add
+   * nothing to their sharpness, which would be infinite; default 0.01.
    */
   vtkSetClampMacro(ModelSize, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(ModelSize, double);
