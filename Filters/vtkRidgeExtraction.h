@@ -29,8 +29,8 @@
  * of the region in which they were left out, or -1 (see ZoneSignificance). The field array
  * NumberOfRidgeZones is on port 0, too.
  *
- * Guarantees, on any mesh: ridges of one colour end only at umbilics and other singular triangles, on
- * borders, at non-manifold edges and at triangles left out. The numbering changes nothing.
+ * Guarantees, on any mesh: ridges of one colour end only at umbilics and other singular triangles,
+ * on borders, at non-manifold edges and at triangles left out. The numbering changes nothing.
  *
  * @sa vtkJetFitting vtkUmbilicDetection vtkRidgeSharpnessFilter
  */
@@ -151,7 +151,8 @@ public:
    * b0 (b3) is within this many standard errors of 0, are left out; ZoneSignificance: so are ridges
    * in regions with no larger b0 (b3) (RidgeZone). Both 0 to 100, default 3, which chance and
    * surfaces without ridges rarely exceed; 0 keeps all. TypeHysteresis: runs of one type shorter
-   * than this many mean edges become the type on both sides; 0 to 1000, default 0: they may be true.
+   * than this many mean edges become the type on both sides; 0 to 1000, default 0: they may be
+   * true.
    */
   vtkSetClampMacro(LoopSignificance, double, 0.0, 100.0);
   vtkGetMacro(LoopSignificance, double);

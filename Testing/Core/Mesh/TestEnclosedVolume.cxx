@@ -13,14 +13,13 @@ namespace
 
 using namespace ridges;
 
-/// A tetrahedron with normals that point outwards, far from the origin.
+/// Far from the origin; the mesh keeps a pointer to them.
+const std::vector<double> Points{ 1000, 1000, 1000, 1001, 1000, 1000, 1000, 1001, 1000, 1000, 1000,
+  1001 };
+
+/// A tetrahedron with normals that point outwards.
 TriangleMesh Tetrahedron(bool turnAll, bool turnOne, std::size_t triangles = 4)
 {
-  std::vector<double> points{ 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1 };
-  for (double& x : points)
-  {
-    x += 1000.0;
-  }
   std::vector<Triangle> list{ { 0, 2, 1 }, { 0, 1, 3 }, { 1, 2, 3 }, { 0, 3, 2 } };
   list.resize(triangles);
   for (std::size_t i = 0; i < list.size(); ++i)
@@ -30,7 +29,7 @@ TriangleMesh Tetrahedron(bool turnAll, bool turnOne, std::size_t triangles = 4)
       std::swap(list[i][1], list[i][2]);
     }
   }
-  TriangleMesh mesh(points.data(), 4, list);
+  TriangleMesh mesh(Points.data(), 4, list);
   mesh.BuildEdges();
   return mesh;
 }

@@ -80,7 +80,8 @@ private:
   void Offer(Id from)
   {
     const Id to = this->Next_[from];
-    const std::size_t between = (this->Places_[to] + this->Sides_ - this->Places_[from]) % this->Sides_;
+    const std::size_t between =
+      (this->Places_[to] + this->Sides_ - this->Places_[from]) % this->Sides_;
     this->Offers_.emplace_back(this->Cost_(from, to), between, from, to);
     std::push_heap(this->Offers_.begin(), this->Offers_.end(), std::greater<Pair>());
   }
