@@ -6,9 +6,9 @@
 #include "Core/Ridges/ExtremalityProbe.h"
 #include "vtkRidgesBatches.h"
 #include "vtkRidgesMongeInput.h"
+#include "vtkRidgesPerThread.h"
 
 #include "vtkPolyData.h"
-#include "vtkSMPThreadLocal.h"
 
 #include <algorithm>
 #include <memory>
@@ -26,18 +26,15 @@ struct TryPoints
   double significance;
   const std::vector<ridges::Id>& sample;
   std::vector<ridges::ExtremalityProbe::Trial>& trials;
-  vtkSMPThreadLocal<std::shared_ptr<ridges::ExtremalityProbe>> perThread;
+  vtkRidgesPerThread<ridges::ExtremalityProbe> perThread;
 
   void operator()(vtkIdType begin, vtkIdType end)
   {
-    std::shared_ptr<ridges::ExtremalityProbe>& probe = this->perThread.Local();
-    if (!probe)
-    {
-      probe = std::make_shared<ridges::ExtremalityProbe>(this->mesh, this->rings);
-    }
+    ridges::ExtremalityProbe& probe = this->perThread.Get(
+      [this] { return std::make_shared<ridges::ExtremalityProbe>(this->mesh, this->rings); });
     for (vtkIdType i = begin; i < end; ++i)
     {
-      this->trials[i] = probe->Try(this->sample[i], this->numberOfRings, this->significance);
+      this->trials[i] = probe.Try(this->sample[i], this->numberOfRings, this->significance);
     }
   }
 };
