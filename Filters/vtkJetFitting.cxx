@@ -8,6 +8,7 @@
 #include "Core/Mesh/RingNeighborhood.h"
 #include "vtkRidgesArrayNames.h"
 #include "vtkRidgesBatches.h"
+#include "vtkRidgesFieldData.h"
 #include "vtkRidgesFitPoints.h"
 #include "vtkRidgesGhosts.h"
 #include "vtkRidgesMesh.h"
@@ -16,7 +17,6 @@
 #include "vtkRidgesRequest.h"
 #include "vtkRidgesUmbilicMarks.h"
 
-#include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkIntArray.h"
 #include "vtkNew.h"
@@ -47,9 +47,7 @@ namespace
 /// The number of rings that was selected, or 0; what an earlier fit left is removed.
 void StoreSelectedRings(vtkPolyData* mesh, int rings)
 {
-  // The field data is still the input's own, which is not ours to change.
-  vtkNew<vtkFieldData> field;
-  field->ShallowCopy(mesh->GetFieldData());
+  vtkFieldData* field = vtkRidgesOwnFieldData(mesh);
   field->RemoveArray(names::SelectedNumberOfRings);
   if (rings > 0)
   {
@@ -58,7 +56,6 @@ void StoreSelectedRings(vtkPolyData* mesh, int rings)
     selected->InsertNextValue(rings);
     field->AddArray(selected);
   }
-  mesh->SetFieldData(field);
 }
 
 /// The properties, as far as they are about a single fit.

@@ -11,6 +11,7 @@
 #include "vtkRidgesArrayNames.h"
 #include "vtkRidgesBatches.h"
 #include "vtkRidgesCompatibility.h"
+#include "vtkRidgesFieldData.h"
 #include "vtkRidgesFolds.h"
 #include "vtkRidgesMongeInput.h"
 #include "vtkRidgesRequest.h"
@@ -22,7 +23,6 @@
 #include "vtkCommand.h"
 #include "vtkDoubleArray.h"
 #include "vtkExecutive.h"
-#include "vtkFieldData.h"
 #include "vtkInformation.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
@@ -54,7 +54,7 @@ void SetFieldValue(vtkPolyData* data, const char* name, double value)
   vtkNew<vtkDoubleArray> array;
   array->SetName(name);
   array->InsertNextValue(value);
-  data->GetFieldData()->AddArray(array);
+  vtkRidgesOwnFieldData(data)->AddArray(array);
 }
 
 } // namespace

@@ -4,12 +4,12 @@
 
 #include "vtkRidgesAllocate.h"
 #include "vtkRidgesArrayNames.h"
+#include "vtkRidgesFieldData.h"
 #include "vtkRidgesMesh.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
-#include "vtkFieldData.h"
 #include "vtkIdTypeArray.h"
 #include "vtkIntArray.h"
 #include "vtkNew.h"
@@ -90,9 +90,7 @@ void vtkRidgesUmbilicOutput::MarkOnMesh(const vtkRidgesMesh& mesh, vtkPolyData* 
   cellData->AddArray(patch);
   cellData->AddArray(region);
   cellData->AddArray(zone);
-  // The field data is still the input's own, which is not ours to change.
-  vtkNew<vtkFieldData> field;
-  field->ShallowCopy(output->GetFieldData());
+  vtkFieldData* field = vtkRidgesOwnFieldData(output);
   for (vtkAbstractArray* array : { static_cast<vtkAbstractArray*>(position),
          static_cast<vtkAbstractArray*>(index), static_cast<vtkAbstractArray*>(ridgeCount),
          static_cast<vtkAbstractArray*>(triangle), static_cast<vtkAbstractArray*>(sum),
@@ -101,7 +99,6 @@ void vtkRidgesUmbilicOutput::MarkOnMesh(const vtkRidgesMesh& mesh, vtkPolyData* 
   {
     field->AddArray(array);
   }
-  output->SetFieldData(field);
 }
 
 void vtkRidgesUmbilicOutput::StoreVertices(const vtkRidgesMesh& mesh, vtkPolyData* output) const

@@ -4,10 +4,10 @@
 
 #include "vtkRidgesAllocate.h"
 #include "vtkRidgesArrayNames.h"
+#include "vtkRidgesFieldData.h"
 #include "vtkRidgesMesh.h"
 
 #include "vtkCellData.h"
-#include "vtkFieldData.h"
 #include "vtkIdTypeArray.h"
 #include "vtkIntArray.h"
 #include "vtkNew.h"
@@ -50,11 +50,7 @@ void vtkRidgesZoneOutput::StoreNumber(vtkPolyData* output) const
   vtkNew<vtkIntArray> number;
   number->SetName(names::NumberOfRidgeZones);
   number->InsertNextValue(static_cast<int>(this->NumberOfZones()));
-  // The field data may still be the input's own, which is not ours to change.
-  vtkNew<vtkFieldData> field;
-  field->ShallowCopy(output->GetFieldData());
-  field->AddArray(number);
-  output->SetFieldData(field);
+  vtkRidgesOwnFieldData(output)->AddArray(number);
 }
 
 std::size_t vtkRidgesZoneOutput::NumberOfZones() const
