@@ -248,15 +248,7 @@ bool vtkRidgesSearch::LeaveOutSmallLoops(vtkAlgorithm* filter, double from, doub
   {
     return false;
   }
-  std::vector<ridges::Ridge> kept;
-  for (std::size_t i = 0; i < whole.size(); ++i)
-  {
-    if (!isLeftOut[i])
-    {
-      kept.push_back(std::move(whole[i]));
-    }
-  }
-  whole = std::move(kept);
+  ridges::LeaveOut(whole, isLeftOut);
   return true;
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <utility>
 
 namespace ridges
 {
@@ -110,6 +111,19 @@ std::vector<Ridge> AssembleRidges(
     }
   }
   return ridges;
+}
+
+void LeaveOut(std::vector<Ridge>& ridges, const std::vector<std::uint8_t>& isLeftOut)
+{
+  std::vector<Ridge> kept;
+  for (std::size_t i = 0; i < ridges.size(); ++i)
+  {
+    if (!isLeftOut[i])
+    {
+      kept.push_back(std::move(ridges[i]));
+    }
+  }
+  ridges = std::move(kept);
 }
 
 } // namespace ridges

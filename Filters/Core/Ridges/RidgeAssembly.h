@@ -5,6 +5,9 @@
 
 #include "Ridges/MarchingTriangles.h"
 
+#include <cstdint>
+#include <vector>
+
 namespace ridges
 {
 
@@ -33,6 +36,9 @@ struct Ridge
  */
 std::vector<Ridge> AssembleRidges(
   const RidgeCrossings& crossings, const std::vector<RidgeSegment>& segments);
+
+/// Removes the ridges with a mark other than 0; the others stay in order.
+void LeaveOut(std::vector<Ridge>& ridges, const std::vector<std::uint8_t>& isLeftOut);
 
 } // namespace ridges
 
