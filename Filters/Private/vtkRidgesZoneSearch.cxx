@@ -23,6 +23,7 @@ struct TryPoints
   const ridges::TriangleMesh& mesh;
   const ridges::OrderedRings& rings;
   int numberOfRings;
+  ridges::Color color;
   double significance;
   const std::vector<ridges::Id>& sample;
   std::vector<ridges::ExtremalityProbe::Trial>& trials;
@@ -34,7 +35,8 @@ struct TryPoints
       [this] { return std::make_shared<ridges::ExtremalityProbe>(this->mesh, this->rings); });
     for (vtkIdType i = begin; i < end; ++i)
     {
-      this->trials[i] = probe.Try(this->sample[i], this->numberOfRings, this->significance);
+      this->trials[i] =
+        probe.Try(this->sample[i], this->numberOfRings, this->color, this->significance);
     }
   }
 };
@@ -107,16 +109,9 @@ bool vtkRidgesZoneSearch::Run(vtkAlgorithm* filter, double from, double to,
     found.triangles.push_back(zones.TrianglesOf(region));
   }
   ridges::SortByPosition(mesh, found.triangles);
-  std::vector<ridges::Ridge> kept;
-  for (std::size_t i = 0; i < whole.size(); ++i)
-  {
-    if (!isLeftOut[i])
-    {
-      kept.push_back(std::move(whole[i]));
-    }
-  }
-  found.numberOfRidges += static_cast<vtkIdType>(whole.size() - kept.size());
-  whole = std::move(kept);
+  const std::size_t before = whole.size();
+  ridges::LeaveOut(whole, isLeftOut);
+  found.numberOfRidges += static_cast<vtkIdType>(before - whole.size());
   return true;
 }
 
@@ -201,7 +196,8 @@ bool vtkRidgesZoneSearch::ShowsOnLargerScale(
       [&depth, &isIn, numberOfRings](ridges::Id p)
       { return depth.IsDeepIn(isIn, p, numberOfRings); });
     std::vector<ridges::ExtremalityProbe::Trial> trials(sample.size());
-    TryPoints tryPoints{ mesh, rings, numberOfRings, this->Significance, sample, trials, {} };
+    TryPoints tryPoints{ mesh, rings, numberOfRings, this->Color, this->Significance, sample,
+      trials, {} };
     vtkSMPTools::For(0, static_cast<vtkIdType>(sample.size()), 1, tryPoints);
 
     // More than chance would have: a few are significant on surfaces without ridges.
@@ -211,11 +207,8 @@ bool vtkRidgesZoneSearch::ShowsOnLargerScale(
     using Trial = ridges::ExtremalityProbe::Trial;
     const auto usable = std::count_if(
       trials.begin(), trials.end(), [](const Trial& trial) { return trial.isUsable; });
-    const auto significant = std::count_if(trials.begin(), trials.end(),
-      [this](const Trial& trial) {
-        return this->Color == ridges::Color::Blue ? trial.isBlueSignificant
-                                                  : trial.isRedSignificant;
-      });
+    const auto significant = std::count_if(
+      trials.begin(), trials.end(), [](const Trial& trial) { return trial.isSignificant; });
     if (usable < fewest)
     {
       return false;

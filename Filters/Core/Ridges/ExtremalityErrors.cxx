@@ -3,8 +3,7 @@
 #include "Ridges/ExtremalityErrors.h"
 
 #include "Mesh/CoordinateRounding.h"
-
-#include <Eigen/Geometry>
+#include "Mesh/MeanGradient.h"
 
 #include <algorithm>
 #include <cmath>
@@ -172,8 +171,7 @@ ExtremalityErrors::Surroundings ExtremalityErrors::LookAround(Id p) const
   around.isFlagged = !isFlagged.empty() && isFlagged[p] != 0;
   double heights = squaredHeight(p);
   double points = 1.0;
-  Eigen::Vector3d gradients = Eigen::Vector3d::Zero();
-  double area = 0.0;
+  MeanGradient gradient;
   const double k = this->Source_.field.Curvature(this->Color_, p);
   for (const Id t : mesh.TrianglesAround(p))
   {
@@ -185,21 +183,12 @@ ExtremalityErrors::Surroundings ExtremalityErrors::LookAround(Id p) const
       around.isFlagged || (!isFlagged.empty() && (isFlagged[q] != 0 || isFlagged[r] != 0));
     heights += 0.5 * (squaredHeight(q) + squaredHeight(r));
     points += 1.0;
-    const Eigen::Vector3d e1 = mesh.Point(q) - mesh.Point(p);
-    const Eigen::Vector3d e2 = mesh.Point(r) - mesh.Point(p);
-    const Eigen::Vector3d normal = e1.cross(e2);
-    const double length = normal.norm();
-    if (length > 0.0)
-    {
-      const double rise1 = this->Source_.field.Curvature(this->Color_, q) - k;
-      const double rise2 = this->Source_.field.Curvature(this->Color_, r) - k;
-      gradients += (rise1 * e2.cross(normal) + rise2 * normal.cross(e1)) / length;
-      area += length;
-    }
+    gradient.Add(mesh.Point(q) - mesh.Point(p), mesh.Point(r) - mesh.Point(p),
+      this->Source_.field.Curvature(this->Color_, q) - k,
+      this->Source_.field.Curvature(this->Color_, r) - k);
   }
   around.height = std::sqrt(heights / points);
-  around.derivative =
-    area > 0.0 ? gradients.dot(this->Source_.field.Direction(this->Color_, p)) / area : 0.0;
+  around.derivative = gradient.Along(this->Source_.field.Direction(this->Color_, p));
   return around;
 }
 

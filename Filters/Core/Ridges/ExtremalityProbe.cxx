@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Ridges/ExtremalityProbe.h"
 
-#include <Eigen/Geometry>
+#include "Mesh/MeanGradient.h"
 
 #include <algorithm>
 #include <cmath>
@@ -63,7 +63,8 @@ ExtremalityProbe::PointFit ExtremalityProbe::Fit(Id p, int numberOfRings)
   return result;
 }
 
-ExtremalityProbe::Trial ExtremalityProbe::Try(Id vertex, int numberOfRings, double significance)
+ExtremalityProbe::Trial ExtremalityProbe::Try(
+  Id vertex, int numberOfRings, Color color, double significance)
 {
   Trial trial;
   const PointFit center = this->Fit(vertex, numberOfRings);
@@ -87,8 +88,7 @@ ExtremalityProbe::Trial ExtremalityProbe::Try(Id vertex, int numberOfRings, doub
     }
   }
   trial.isUsable = true;
-  trial.isBlueSignificant = this->IsSignificant(Color::Blue, vertex, significance);
-  trial.isRedSignificant = this->IsSignificant(Color::Red, vertex, significance);
+  trial.isSignificant = this->IsSignificant(color, vertex, significance);
   return trial;
 }
 
@@ -106,10 +106,9 @@ bool ExtremalityProbe::IsSignificant(Color color, Id vertex, double significance
   const auto add = [this, color, i, &square, &squaredError](Id p)
   {
     // See ExtremalityErrors. All of the difference: large fits to regular meshes err alike.
-    constexpr double share = 1.0;
     const PointFit& fit = this->FitAt(p);
     const double b = fit.form.b[i];
-    const double difference = share * (b - this->Derivative(color, p));
+    const double difference = b - this->Derivative(color, p);
     square += b * b;
     squaredError += fit.errors.b[i] * fit.errors.b[i] + difference * difference;
   };
@@ -124,25 +123,16 @@ double ExtremalityProbe::Derivative(Color color, Id vertex) const
   const MongeForm& form = this->FitAt(vertex).form;
   const Span<Id> ring = this->Rings_.Around(vertex);
   const double k = CurvatureOf(color, form);
-  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-  double area = 0.0;
+  MeanGradient gradient;
   for (Id i = 0; i < ring.size(); ++i)
   {
     const Id p = ring[i];
     const Id q = ring[(i + 1) % ring.size()];
-    const Eigen::Vector3d e1 = this->Mesh_.Point(p) - this->Mesh_.Point(vertex);
-    const Eigen::Vector3d e2 = this->Mesh_.Point(q) - this->Mesh_.Point(vertex);
-    const Eigen::Vector3d normal = e1.cross(e2);
-    const double length = normal.norm();
-    if (length > 0.0)
-    {
-      const double rise1 = CurvatureOf(color, this->FitAt(p).form) - k;
-      const double rise2 = CurvatureOf(color, this->FitAt(q).form) - k;
-      sum += (rise1 * e2.cross(normal) + rise2 * normal.cross(e1)) / length;
-      area += length;
-    }
+    gradient.Add(this->Mesh_.Point(p) - this->Mesh_.Point(vertex),
+      this->Mesh_.Point(q) - this->Mesh_.Point(vertex), CurvatureOf(color, this->FitAt(p).form) - k,
+      CurvatureOf(color, this->FitAt(q).form) - k);
   }
-  return area > 0.0 ? sum.dot(color == Color::Blue ? form.d1 : form.d2) / area : 0.0;
+  return gradient.Along(color == Color::Blue ? form.d1 : form.d2);
 }
 
 } // namespace ridges

@@ -15,7 +15,7 @@ namespace ridges
 {
 
 /**
- * Whether b0 and b3 are significant on a larger scale than that of the field: by fits of degree 4
+ * Whether b0 or b3 is significant on a larger scale than that of the field: by fits of degree 4
  * to more rings, at a point and two rings around it. Noise falls with the scale, so that ridges
  * which it hides on the small one show; on a surface without ridges nothing does on any scale.
  *
@@ -30,11 +30,10 @@ public:
   struct Trial
   {
     bool isUsable = false; ///< Not if the surface turns within the radius of the fit.
-    bool isBlueSignificant = false;
-    bool isRedSignificant = false;
+    bool isSignificant = false;
   };
   /// Around a point with a closed fan. Significant is what exceeds so many standard errors.
-  Trial Try(Id vertex, int numberOfRings, double significance);
+  Trial Try(Id vertex, int numberOfRings, Color color, double significance);
 
   /// Whether all points within so many rings of one, and a ring more, are in a set.
   bool IsDeepIn(const std::function<bool(Id)>& isIn, Id vertex, int numberOfRings);

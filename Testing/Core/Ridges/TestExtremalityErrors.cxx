@@ -167,9 +167,10 @@ TEST(ExtremalityProbe, FindsRidgesThatNoiseHidesOnTheSmallScale)
     int count = 0;
     for (Id p = 0; p < surface.Triangles().NumberOfPoints(); p += 30)
     {
-      const ExtremalityProbe::Trial trial = probe.Try(p, 7, 3.0);
-      EXPECT_TRUE(trial.isUsable);
-      count += trial.isBlueSignificant || trial.isRedSignificant ? 1 : 0;
+      const ExtremalityProbe::Trial blue = probe.Try(p, 7, Color::Blue, 3.0);
+      const ExtremalityProbe::Trial red = probe.Try(p, 7, Color::Red, 3.0);
+      EXPECT_TRUE(blue.isUsable && red.isUsable);
+      count += blue.isSignificant || red.isSignificant ? 1 : 0;
     }
     return count;
   };
