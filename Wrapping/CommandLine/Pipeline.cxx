@@ -21,7 +21,7 @@ std::string Count(std::size_t number, const char* one, const char* more)
   return std::to_string(number) + " " + (number == 1 ? one : more);
 }
 
-void WarnOfRepair(const MeshFile& file, const RepairReport& report, const Stages& stages)
+void WarnOfRepair(const MeshFile& file, const RepairReport& report, Stages& stages)
 {
   const InvalidFaces& removed = report.removed;
   if (removed.collapsed > 0)
@@ -63,7 +63,8 @@ vtkSmartPointer<vtkPolyData> ReadAndRepair(const Options& options, Stages& stage
       }
     });
   WarnOfRepair(file, report, stages);
-  results.isInsideOut = report.isInsideOut;
+  // With salient lines their filter looks for itself.
+  results.isInsideOut = options.lines != Lines::Salient && IsInsideOut(file.mesh);
   stages.SetHint("vtkPolyDataNormals",
     report.orientation.oddEdges > 0
       ? "the surface is one-sided, as a Moebius strip is: no orientation suits all of it"

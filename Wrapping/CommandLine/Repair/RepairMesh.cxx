@@ -14,7 +14,6 @@ RepairReport RepairMesh(PolygonMesh& mesh, const RepairOptions& options)
   {
     report.orientation = OrientFaces(mesh);
   }
-  report.isInsideOut = IsInsideOut(mesh);
   return report;
 }
 

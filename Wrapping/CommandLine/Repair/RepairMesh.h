@@ -22,7 +22,6 @@ struct RepairReport
   InvalidFaces removed; ///< Of the file; faces that collapse where points are joined do not count.
   std::size_t joinedPoints = 0;
   Orientation orientation;
-  bool isInsideOut = false;
 
   bool HasChanged() const
   {
