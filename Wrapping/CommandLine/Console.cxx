@@ -272,7 +272,7 @@ void Stages::RunStrictly(
   }
 }
 
-void Stages::Warn(const std::string& warning, const std::string& advice) const
+void Stages::Warn(const std::string& warning, const std::string& advice)
 {
   if (!this->Quiet && this->Warned.insert(warning).second)
   {

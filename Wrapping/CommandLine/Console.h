@@ -66,7 +66,7 @@ public:
     const std::string& name, const std::string& advice, const std::function<void()>& job);
 
   /// Prints a warning of the program itself, as all warnings only once.
-  void Warn(const std::string& warning, const std::string& advice) const;
+  void Warn(const std::string& warning, const std::string& advice);
 
   /// Name and seconds of the stages run so far.
   const std::vector<Duration>& GetDurations() const { return this->Durations; }
@@ -76,7 +76,7 @@ private:
 
   std::string InOptions(std::string text) const;
 
-  mutable std::set<std::string> Warned;     ///< The warnings so far.
+  std::set<std::string> Warned;             ///< The warnings so far.
   std::map<std::string, std::string> Hints; ///< By the name of a class.
   bool Quiet;
   bool ShowProgress;

@@ -192,37 +192,52 @@ void PrintUmbilics(std::ostream& os, const Results& results, bool isClosed)
   PrintZones(os, results.mesh, names::UmbilicZone, 0, "k1 - k2", "umbilics there mean nothing");
 }
 
+struct LineTotals
+{
+  long long count = 0;
+  double length = 0.0;
+};
+
+/// Of the lines that are meant, by their numbers.
+LineTotals TotalsOf(vtkPolyData* lines, const std::function<bool(vtkIdType)>& isMeant)
+{
+  vtkDataArray* length = lines->GetCellData()->GetArray(names::Length);
+  LineTotals totals;
+  for (vtkIdType i = 0; length && i < lines->GetNumberOfCells(); ++i)
+  {
+    if (isMeant(i))
+    {
+      ++totals.count;
+      totals.length += length->GetTuple1(i);
+    }
+  }
+  return totals;
+}
+
 void PrintRidges(std::ostream& os, const Results& results)
 {
   vtkCellData* data = results.ridges->GetCellData();
   vtkDataArray* type = data->GetArray(names::RidgeType);
-  vtkDataArray* length = data->GetArray(names::Length);
   vtkDataArray* crest = data->GetArray(names::Crest);
-  const vtkIdType lines = results.ridges->GetNumberOfCells();
   os << "\n" << Format("%-30s %8s %12s\n", "ridges", "lines", "length");
-  const auto row = [&type, &length, &lines, &os](const char* name, const char* color,
+  const auto row = [&results, &os](const char* name, const char* color,
                      const std::function<bool(vtkIdType)>& isMeant)
   {
-    long long count = 0;
-    double sum = 0.0;
-    for (vtkIdType i = 0; type && length && i < lines; ++i)
+    const LineTotals totals = TotalsOf(results.ridges, isMeant);
+    if (totals.count > 0 || *name != 'u')
     {
-      count += isMeant(i) ? 1 : 0;
-      sum += isMeant(i) ? length->GetTuple1(i) : 0.0;
-    }
-    if (count > 0 || *name != 'u')
-    {
-      os << Format("  %-20s %-7s %8lld %12.5g\n", name, color, count, sum);
+      os << Format("  %-20s %-7s %8lld %12.5g\n", name, color, totals.count, totals.length);
     }
   };
   for (const RidgeStyle& style : RidgeStyles)
   {
     row(style.name, style.colorName,
-      [&type, &style](vtkIdType i) { return static_cast<int>(type->GetTuple1(i)) == style.type; });
+      [type, &style](vtkIdType i)
+      { return type && static_cast<int>(type->GetTuple1(i)) == style.type; });
   }
   row("of them crest lines", "",
     [&crest](vtkIdType i) { return crest && crest->GetTuple1(i) != 0.0; });
-  const vtkIdType left = results.allRidges->GetNumberOfCells() - lines;
+  const vtkIdType left = results.allRidges->GetNumberOfCells() - results.ridges->GetNumberOfCells();
   if (left > 0)
   {
     os << "  " << Count(left, "more line") << " the filter left out\n";
@@ -238,26 +253,24 @@ void PrintSalient(std::ostream& os, vtkPolyData* lines)
 {
   vtkCellData* data = lines->GetCellData();
   vtkDataArray* type = data->GetArray(names::RidgeType);
-  vtkDataArray* length = data->GetArray(names::Length);
   vtkDataArray* fold = data->GetArray(names::FoldAngle);
   os << "\n" << Format("%-30s %8s %12s %14s\n", "salient lines", "lines", "length", "largest fold");
   for (const RidgeStyle& style : RidgeStyles)
   {
-    long long count = 0;
-    double sum = 0.0;
+    if (!*style.salientName)
+    {
+      continue;
+    }
     double largest = 0.0;
-    for (vtkIdType i = 0; i < lines->GetNumberOfCells(); ++i)
-    {
-      const bool isMeant = static_cast<int>(type->GetTuple1(i)) == style.type;
-      count += isMeant ? 1 : 0;
-      sum += isMeant ? length->GetTuple1(i) : 0.0;
-      largest = isMeant ? std::max(largest, fold->GetTuple1(i)) : largest;
-    }
-    if (*style.salientName)
-    {
-      os << Format("  %-20s %-7s %8lld %12.5g %10.3g deg\n", style.salientName, style.colorName,
-        count, sum, largest);
-    }
+    const LineTotals totals = TotalsOf(lines,
+      [type, fold, &style, &largest](vtkIdType i)
+      {
+        const bool isMeant = static_cast<int>(type->GetTuple1(i)) == style.type;
+        largest = isMeant ? std::max(largest, fold->GetTuple1(i)) : largest;
+        return isMeant;
+      });
+    os << Format("  %-20s %-7s %8lld %12.5g %10.3g deg\n", style.salientName, style.colorName,
+      totals.count, totals.length, largest);
   }
 }
 
