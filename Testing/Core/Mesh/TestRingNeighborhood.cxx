@@ -180,6 +180,28 @@ Mesh PartTriangles(const Mesh& mesh, int every)
   return parted;
 }
 
+/// A mesh in its own numbering and in another one, and what gathers its neighbourhoods.
+struct BothNumberings
+{
+  explicit BothNumberings(const Mesh& mesh)
+    : before(mesh)
+    , after(Permute(mesh, 17, &newToOld))
+    , ringsBefore(RingsOf(before.Triangles()))
+    , ringsAfter(RingsOf(after.Triangles()))
+    , ofBefore(before.Triangles(), ringsBefore)
+    , ofAfter(after.Triangles(), ringsAfter)
+  {
+  }
+
+  std::vector<std::int32_t> newToOld;
+  MeshedSurface before;
+  MeshedSurface after;
+  OrderedRings ringsBefore;
+  OrderedRings ringsAfter;
+  RingNeighborhood ofBefore;
+  RingNeighborhood ofAfter;
+};
+
 } // namespace
 
 //------------------------------------------------------------------------------
@@ -301,23 +323,17 @@ TEST(RingNeighborhood, HasOneOrderForAnyNumbering)
   for (const Mesh& mesh :
     { Icosphere(4, false), GraphPatch([](double, double) { return 0.0; }, 1.0, 16) })
   {
-    std::vector<std::int32_t> newToOld;
-    const MeshedSurface before(mesh);
-    const MeshedSurface after(Permute(mesh, 17, &newToOld));
-    const OrderedRings ringsBefore = RingsOf(before.Triangles());
-    const OrderedRings ringsAfter = RingsOf(after.Triangles());
-    RingNeighborhood ofBefore(before.Triangles(), ringsBefore);
-    RingNeighborhood ofAfter(after.Triangles(), ringsAfter);
+    BothNumberings both(mesh);
     for (const NeighborhoodRule& rule : { ByRings(2), ByCount(18), ByRadius(0.4) })
     {
-      for (Id p = 0; p < after.Triangles().NumberOfPoints(); ++p)
+      for (Id p = 0; p < both.after.Triangles().NumberOfPoints(); ++p)
       {
-        const Span<Id> expected = ofBefore.Gather(newToOld[p], rule);
-        const Span<Id> found = ofAfter.Gather(p, rule);
+        const Span<Id> expected = both.ofBefore.Gather(both.newToOld[p], rule);
+        const Span<Id> found = both.ofAfter.Gather(p, rule);
         ASSERT_EQ(found.size(), expected.size());
         for (Id i = 0; i < found.size(); ++i)
         {
-          ASSERT_EQ(newToOld[found[i]], expected[i]) << "point " << p << " place " << i;
+          ASSERT_EQ(both.newToOld[found[i]], expected[i]) << "point " << p << " place " << i;
         }
       }
     }
@@ -333,24 +349,18 @@ TEST(RingNeighborhood, HasOneOrderOfPlacesForAnyNumbering)
   {
     x = 0.25 * std::round(4.0 * x);
   }
-  std::vector<std::int32_t> newToOld;
-  const MeshedSurface before(mesh);
-  const MeshedSurface after(Permute(mesh, 17, &newToOld));
-  const OrderedRings ringsBefore = RingsOf(before.Triangles());
-  const OrderedRings ringsAfter = RingsOf(after.Triangles());
-  RingNeighborhood ofBefore(before.Triangles(), ringsBefore);
-  RingNeighborhood ofAfter(after.Triangles(), ringsAfter);
+  BothNumberings both(mesh);
   int sorted = 0;
-  for (Id p = 0; p < after.Triangles().NumberOfPoints(); ++p)
+  for (Id p = 0; p < both.after.Triangles().NumberOfPoints(); ++p)
   {
-    const Span<Id> expected = ofBefore.Gather(newToOld[p], ByCount(18));
-    const Span<Id> found = ofAfter.Gather(p, ByCount(18));
+    const Span<Id> expected = both.ofBefore.Gather(both.newToOld[p], ByCount(18));
+    const Span<Id> found = both.ofAfter.Gather(p, ByCount(18));
     ASSERT_EQ(found.size(), expected.size());
-    ASSERT_EQ(ofAfter.IsInRings(), ofBefore.IsInRings());
-    sorted += ofAfter.IsInRings() ? 0 : 1;
+    ASSERT_EQ(both.ofAfter.IsInRings(), both.ofBefore.IsInRings());
+    sorted += both.ofAfter.IsInRings() ? 0 : 1;
     for (Id i = 0; i < found.size(); ++i)
     {
-      ASSERT_EQ(after.Triangles().Point(found[i]), before.Triangles().Point(expected[i]))
+      ASSERT_EQ(both.after.Triangles().Point(found[i]), both.before.Triangles().Point(expected[i]))
         << "point " << p << " place " << i;
     }
   }
