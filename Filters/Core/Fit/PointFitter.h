@@ -14,14 +14,14 @@ namespace ridges
  * Fits to a neighbourhood whatever it takes, one point after the other.
  *
  * - The height axis is that of least spread, if it is within 60 degrees of the normal; else the
- * mean normal of the neighbourhood. Around a rod that is meshed finely along its axis only, points
- *   spread least along that axis.
+ *   mean normal of the neighbourhood. Around a rod that is meshed finely along its axis only,
+ *   points spread least along that axis.
  * - A one-sided neighbourhood may hold enough points in too few rows. If the rule asks for a number
  *   of points, up to four rings more are taken, until the least squares is well conditioned.
  * - The surface may fold over within the neighbourhood, as on a coarse sphere, around a thin rod,
- * or at the rim of a plate: the normals of some points are at right angles to the height axis, or
- *   beyond, and there is no height function. Then only points are taken that face the same side as
- *   the vertex, and are reached over such points, in the degree that they determine. The fit is
+ *   or at the rim of a plate: the normals of some points are at right angles to the height axis,
+ *   or beyond, and there is no height function. Then only points are taken that face the same side
+ * as the vertex, and are reached over such points, in the degree that they determine. The fit is
  *   flagged as FitFolded.
  * - What stays ill conditioned is fitted in a lower degree that the points determine.
  *
