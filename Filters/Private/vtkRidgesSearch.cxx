@@ -107,12 +107,12 @@ struct TraceRidges
       trace = ridges::TraceRidge(
         this->ridges[i], this->segments, this->paths, this->crossings, this->rule, this->umbilics);
       this->ridges[i] = ridges::Ridge();
-      ridges::MakeCanonical(trace);
+      ridges::MakeCanonical(this->crossings.Mesh(), trace);
       if (this->shortestRun > 0.0)
       {
         // The start of a loop may not be that of a run any more.
         ridges::AbsorbShortRuns(trace, this->shortestRun);
-        ridges::MakeCanonical(trace);
+        ridges::MakeCanonical(this->crossings.Mesh(), trace);
       }
     }
   }
@@ -276,8 +276,9 @@ bool vtkRidgesSearch::Trace(vtkAlgorithm* filter, double from, double to,
   {
     return false;
   }
+  const ridges::TriangleMesh& mesh = crossings.Mesh();
   std::sort(found.begin(), found.end(),
-    [](const ridges::RidgeTrace& a, const ridges::RidgeTrace& b)
-    { return ridges::ComesBefore(a, b); });
+    [&mesh](const ridges::RidgeTrace& a, const ridges::RidgeTrace& b)
+    { return ridges::ComesBefore(mesh, a, b); });
   return true;
 }

@@ -19,8 +19,7 @@ std::array<int, 3> OrderOfCorners(const TriangleMesh& mesh, const Triangle& corn
 {
   std::array<int, 3> order = { 0, 1, 2 };
   std::sort(order.begin(), order.end(),
-    [&mesh, &corners](int i, int j)
-    { return ComesBefore(mesh.Point(corners[i]), mesh.Point(corners[j])); });
+    [&mesh, &corners](int i, int j) { return PointComesBefore(mesh, corners[i], corners[j]); });
   return order;
 }
 

@@ -227,9 +227,8 @@ Id OrderedRings::PickEvenly(Id p, Id* ring) const
   }
   const auto isBetter = [this](const Candidate& a, const Candidate& b)
   {
-    return a.distance != b.distance
-      ? a.distance > b.distance
-      : ComesBefore(this->Mesh_.Point(a.point), this->Mesh_.Point(b.point));
+    return a.distance != b.distance ? a.distance > b.distance
+                                    : PointComesBefore(this->Mesh_, a.point, b.point);
   };
   Id size = 0;
   for (const Id most = std::min(NeighborsOfLargeFan, static_cast<Id>(candidates.size()));

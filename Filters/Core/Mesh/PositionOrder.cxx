@@ -16,27 +16,38 @@ bool ComesBefore(const Eigen::Vector3d& a, const Eigen::Vector3d& b)
   return std::lexicographical_compare(a.data(), a.data() + 3, b.data(), b.data() + 3);
 }
 
+bool PointComesBefore(const TriangleMesh& mesh, Id p, Id q)
+{
+  const auto x = mesh.Point(p);
+  const auto y = mesh.Point(q);
+  for (int i = 0; i < 3; ++i)
+  {
+    if (x[i] != y[i])
+    {
+      return x[i] < y[i];
+    }
+  }
+  return p != q && mesh.RankAtPlace(p) < mesh.RankAtPlace(q);
+}
+
 namespace
 {
 
-using Corners = std::array<Eigen::Vector3d, 3>;
-
-bool ComesBefore(const Corners& a, const Corners& b)
+bool ComesBefore(const TriangleMesh& mesh, const Triangle& a, const Triangle& b)
 {
   return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end(),
-    [](const Eigen::Vector3d& p, const Eigen::Vector3d& q) { return ridges::ComesBefore(p, q); });
+    [&mesh](Id p, Id q) { return PointComesBefore(mesh, p, q); });
 }
 
-/// In their order around the triangle, from the first by position.
-Corners CornersInOrder(const TriangleMesh& mesh, Id triangle)
+/// In their order around the triangle, from the first.
+Triangle CornersInOrder(const TriangleMesh& mesh, Id triangle)
 {
-  const Triangle& c = mesh.Corners(triangle);
-  Corners first = { mesh.Point(c[0]), mesh.Point(c[1]), mesh.Point(c[2]) };
-  Corners turned = first;
+  Triangle first = mesh.Corners(triangle);
+  Triangle turned = first;
   for (int turn = 1; turn < 3; ++turn)
   {
     std::rotate(turned.begin(), turned.begin() + 1, turned.end());
-    first = ComesBefore(turned, first) ? turned : first;
+    first = ComesBefore(mesh, turned, first) ? turned : first;
   }
   return first;
 }
@@ -51,7 +62,7 @@ bool ComesBefore(const TriangleMesh& mesh, Id a, Id b)
   {
     return ComesBefore(x, y);
   }
-  return ComesBefore(CornersInOrder(mesh, a), CornersInOrder(mesh, b));
+  return ComesBefore(mesh, CornersInOrder(mesh, a), CornersInOrder(mesh, b));
 }
 
 void SortByPosition(const TriangleMesh& mesh, std::vector<std::vector<Id>>& groups)
@@ -75,14 +86,15 @@ void SortByPosition(const TriangleMesh& mesh, std::vector<std::vector<Id>>& grou
 
 Eigen::Vector3d AreaNormalInOrder(const TriangleMesh& mesh, Id triangle)
 {
-  const Corners x = CornersInOrder(mesh, triangle);
-  return (x[1] - x[0]).cross(x[2] - x[0]);
+  const Triangle c = CornersInOrder(mesh, triangle);
+  const Eigen::Vector3d first = mesh.Point(c[0]);
+  return (mesh.Point(c[1]) - first).cross(mesh.Point(c[2]) - first);
 }
 
 OrderedEdge::OrderedEdge(const TriangleMesh& mesh, Id edge)
   : p(mesh.EdgeAt(edge).v0)
   , q(mesh.EdgeAt(edge).v1)
-  , swaps(ComesBefore(mesh.Point(q), mesh.Point(p)))
+  , swaps(PointComesBefore(mesh, q, p))
 {
   if (this->swaps)
   {

@@ -11,6 +11,10 @@ namespace ridges
 /// By x, then y, then z: an order that the numbering has no part in.
 bool ComesBefore(const Eigen::Vector3d& a, const Eigen::Vector3d& b);
 
+/// The same of two points of a mesh, and of those at one place by what lies around them. Neither
+/// comes before the other if nothing distinguishes them.
+bool PointComesBefore(const TriangleMesh& mesh, Id p, Id q);
+
 /// The same of two triangles, by their centroids, then by their corners.
 bool ComesBefore(const TriangleMesh& mesh, Id a, Id b);
 
@@ -21,8 +25,8 @@ void SortByPosition(const TriangleMesh& mesh, std::vector<std::vector<Id>>& grou
 /// the triangle starts at.
 Eigen::Vector3d AreaNormalInOrder(const TriangleMesh& mesh, Id triangle);
 
-/// The ends of an edge, that first which comes first by position: what is computed from one end to
-/// the other does not depend on the numbering then.
+/// The ends of an edge, that first which comes first in this order: what is computed from one end
+/// to the other does not depend on the numbering then.
 struct OrderedEdge
 {
   OrderedEdge(const TriangleMesh& mesh, Id edge);

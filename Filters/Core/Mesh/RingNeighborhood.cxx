@@ -101,14 +101,15 @@ bool RingNeighborhood::AddRing(Accept accept)
   return count > ringEnd;
 }
 
-/// By distance from the center, then by position.
+/// By distance from the center, then by position, and in one place by what lies around them: points
+/// at one place have normals of their own.
 bool RingNeighborhood::ComesBefore(Id center, Id p, Id q) const
 {
   const auto x = this->Mesh_.Point(p);
   const auto y = this->Mesh_.Point(q);
   const double distanceX = (x - this->Mesh_.Point(center)).squaredNorm();
   const double distanceY = (y - this->Mesh_.Point(center)).squaredNorm();
-  return distanceX != distanceY ? distanceX < distanceY : ridges::ComesBefore(x, y);
+  return distanceX != distanceY ? distanceX < distanceY : PointComesBefore(this->Mesh_, p, q);
 }
 
 Span<Id> RingNeighborhood::NeighborsOfIrregular(Id p)

@@ -4,11 +4,13 @@
 #define ridges_TriangleMesh_h
 
 #include "Base/Buffer.h"
+#include "Mesh/PointRanks.h"
 #include "Mesh/Triangle.h"
 
 #include <Eigen/Core>
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace ridges
@@ -94,6 +96,9 @@ public:
   /// Where TrianglesAround(p) begin among those of all points.
   Id Offset(Id p) const { return this->Offsets_[p]; }
 
+  /// Tells points at one place apart, whatever the numbering: see PointRanks.
+  std::uint64_t RankAtPlace(Id p) const { return this->Ranks_->RankOf(*this, p); }
+
   /// Whether p is an end of an edge that does not have exactly two triangles.
   bool OnBorder(Id p) const { return this->OnBorder_[p] != 0; }
 
@@ -145,6 +150,7 @@ private:
   Buffer<Id> Offsets_;
   Buffer<Id> Incident_;
   std::vector<std::uint8_t> OnBorder_;
+  std::unique_ptr<PointRanks> Ranks_ = std::make_unique<PointRanks>();
 };
 
 } // namespace ridges

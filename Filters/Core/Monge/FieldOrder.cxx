@@ -11,11 +11,13 @@ namespace ridges
 
 bool ComesBefore(const TriangleMesh& mesh, const MongeField& field, Id p, Id q)
 {
-  const auto x = mesh.Point(p);
-  const auto y = mesh.Point(q);
-  if (x != y || p == q)
+  if (p == q || PointComesBefore(mesh, p, q))
   {
-    return ComesBefore(x, y);
+    return p != q;
+  }
+  if (PointComesBefore(mesh, q, p))
+  {
+    return false;
   }
   // The signs of the extremalities are those of the directions, which mean nothing.
   const auto valuesOf = [&field](Id i)

@@ -9,8 +9,8 @@
 namespace ridges
 {
 
-/// An order of points that the numbering has no part in: by position or, in one place, by values.
-/// Coordinates that were rounded put points in one place.
+/// An order of points that the numbering has no part in: by position, in one place by what lies
+/// around them, and then by values.
 bool ComesBefore(const TriangleMesh& mesh, const MongeField& field, Id p, Id q);
 
 /// The ends of an edge in this order.

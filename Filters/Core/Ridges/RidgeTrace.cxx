@@ -7,6 +7,7 @@
 #include "Umbilics/UmbilicForm.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <utility>
@@ -16,7 +17,8 @@ namespace ridges
 namespace
 {
 
-int Compare(const RidgeVertex& a, const RidgeVertex& b)
+/// By position, then by kind, then by edge or triangle or, of turning points, by value: -1, 0 or 1.
+int Compare(const TriangleMesh& mesh, const RidgeVertex& a, const RidgeVertex& b)
 {
   for (int i = 0; i < 3; ++i)
   {
@@ -27,15 +29,45 @@ int Compare(const RidgeVertex& a, const RidgeVertex& b)
       return x < y ? -1 : 1;
     }
   }
-  return 0;
+  const auto kindOf = [](const RidgeVertex& vertex)
+  { return vertex.edge != RidgeVertex::None ? 0 : (vertex.umbilic != RidgeVertex::None ? 1 : 2); };
+  if (kindOf(a) != kindOf(b))
+  {
+    return kindOf(a) < kindOf(b) ? -1 : 1;
+  }
+  if (a.edge != b.edge)
+  {
+    const OrderedEdge x(mesh, a.edge);
+    const OrderedEdge y(mesh, b.edge);
+    for (const auto& [p, q] : { std::pair(x.p, y.p), std::pair(x.q, y.q) })
+    {
+      if (PointComesBefore(mesh, p, q) || PointComesBefore(mesh, q, p))
+      {
+        return PointComesBefore(mesh, p, q) ? -1 : 1;
+      }
+    }
+  }
+  if (a.umbilic != b.umbilic)
+  {
+    return ComesBefore(mesh, a.umbilic, b.umbilic)
+      ? -1
+      : (ComesBefore(mesh, b.umbilic, a.umbilic) ? 1 : 0);
+  }
+  const auto valuesOf = [](const RidgePoint& point) {
+    return std::array<double, 3>{ point.curvature, point.gap, point.P };
+  };
+  const auto x = valuesOf(a.point);
+  const auto y = valuesOf(b.point);
+  return x < y ? -1 : (y < x ? 1 : 0);
 }
 
-/// From that of the two which comes first by position: not even round-off depends on the direction.
-RidgeVertex TurningPointBetween(const RidgePoint& before, const RidgePoint& after)
+/// From that of the two which comes first: not even round-off depends on the direction.
+RidgeVertex TurningPointBetween(
+  const TriangleMesh& mesh, const RidgeVertex& before, const RidgeVertex& after)
 {
-  const bool swaps = ComesBefore(after.position, before.position);
-  const RidgePoint& a = swaps ? after : before;
-  const RidgePoint& b = swaps ? before : after;
+  const bool swaps = Compare(mesh, after, before) < 0;
+  const RidgePoint& a = (swaps ? after : before).point;
+  const RidgePoint& b = (swaps ? before : after).point;
   const double t = CrossingParameter(a.P, b.P);
   const auto between = [t](double atA, double atB) { return (1.0 - t) * atA + t * atB; };
   RidgeVertex vertex;
@@ -174,7 +206,8 @@ private:
   void AppendPiece(
     RidgeTrace& trace, const RidgeSegment& segment, const RidgeVertex& next, bool inPatch) const
   {
-    const RidgePoint before = trace.vertices.back().point;
+    const RidgeVertex last = trace.vertices.back();
+    const RidgePoint& before = last.point;
     const Color color = before.color;
     if (color != next.point.color)
     {
@@ -193,7 +226,7 @@ private:
       trace.types.push_back(TypeOf(color, before.P < 0.0));
       if ((before.P < 0.0) != (next.point.P < 0.0))
       {
-        trace.vertices.push_back(TurningPointBetween(before, next.point));
+        trace.vertices.push_back(TurningPointBetween(this->Crossings_.Mesh(), last, next));
         trace.types.push_back(TypeOf(color, next.point.P < 0.0));
       }
     }
@@ -407,7 +440,7 @@ std::vector<RidgeRun> RunsOf(const RidgeTrace& trace)
   return runs;
 }
 
-void MakeCanonical(RidgeTrace& trace)
+void MakeCanonical(const TriangleMesh& mesh, RidgeTrace& trace)
 {
   const std::size_t count = trace.types.size();
   if (trace.closed)
@@ -418,7 +451,7 @@ void MakeCanonical(RidgeTrace& trace)
     {
       const bool here =
         !AreAlike(trace, static_cast<Id>((i + count - 1) % count), static_cast<Id>(i));
-      const bool comesFirst = Compare(trace.vertices[i], trace.vertices[start]) < 0;
+      const bool comesFirst = Compare(mesh, trace.vertices[i], trace.vertices[start]) < 0;
       if ((here && !startsRun) || (here == startsRun && comesFirst))
       {
         start = i;
@@ -430,7 +463,7 @@ void MakeCanonical(RidgeTrace& trace)
   // A ridge from an umbilic back to itself has equal ends, as a loop has.
   for (std::size_t i = trace.closed ? 1 : 0; i <= count / 2; ++i)
   {
-    const int order = Compare(trace.vertices[i], trace.vertices[count - i]);
+    const int order = Compare(mesh, trace.vertices[i], trace.vertices[count - i]);
     if (order > 0)
     {
       std::reverse(trace.vertices.begin(), trace.vertices.end());
@@ -443,12 +476,12 @@ void MakeCanonical(RidgeTrace& trace)
   }
 }
 
-bool ComesBefore(const RidgeTrace& a, const RidgeTrace& b)
+bool ComesBefore(const TriangleMesh& mesh, const RidgeTrace& a, const RidgeTrace& b)
 {
   const std::size_t count = std::min(a.vertices.size(), b.vertices.size());
   for (std::size_t i = 0; i < count; ++i)
   {
-    const int order = Compare(a.vertices[i], b.vertices[i]);
+    const int order = Compare(mesh, a.vertices[i], b.vertices[i]);
     if (order != 0)
     {
       return order < 0;

@@ -70,13 +70,15 @@ struct RidgeRun
 std::vector<RidgeRun> RunsOf(const RidgeTrace& trace);
 
 /**
- * Turns a ridge so that its start and sense depend on positions alone: it starts at the end that
- * comes first by x, then y, then z, a loop at the first of its points where a run starts.
+ * Turns a ridge so that its start and sense do not depend on the numbering: it starts at the end
+ * that comes first by x, then y, then z, a loop at the first of its points where a run starts. Of
+ * points at one place, as where a ridge passes through points of the mesh, that is first whose edge
+ * is.
  */
-void MakeCanonical(RidgeTrace& trace);
+void MakeCanonical(const TriangleMesh& mesh, RidgeTrace& trace);
 
 /// An order of canonical ridges by their points.
-bool ComesBefore(const RidgeTrace& a, const RidgeTrace& b);
+bool ComesBefore(const TriangleMesh& mesh, const RidgeTrace& a, const RidgeTrace& b);
 
 } // namespace ridges
 

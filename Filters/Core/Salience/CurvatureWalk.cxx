@@ -59,7 +59,7 @@ void CurvatureWalk::Fill(Face& face, Id triangle) const
   int first = 0;
   for (int i = 1; i < 3; ++i)
   {
-    if (ComesBefore(this->Mesh_.Point(corners[i]), this->Mesh_.Point(corners[first])))
+    if (PointComesBefore(this->Mesh_, corners[i], corners[first]))
     {
       first = i;
     }
@@ -87,7 +87,7 @@ void CurvatureWalk::Fill(Face& face, Id triangle) const
   face.corners = { Eigen::Vector2d::Zero(), Eigen::Vector2d(length, 0.0),
     Eigen::Vector2d(side.dot(axisX), twice / length) };
   // Corner 0 comes first of all.
-  face.forward = { true, ComesBefore(this->Mesh_.Point(p[1]), this->Mesh_.Point(p[2])), false };
+  face.forward = { true, PointComesBefore(this->Mesh_, p[1], p[2]), false };
   for (int i = 0; i < 3; ++i)
   {
     face.turnings[i] = this->TurningAt(p[i], axisX, axisY, normal);

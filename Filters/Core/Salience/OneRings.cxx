@@ -44,11 +44,8 @@ void OneRings::AddIrregular(Id p)
   }
   const auto first = this->IrregularNeighbors_.begin() + static_cast<std::ptrdiff_t>(begin);
   std::sort(first, this->IrregularNeighbors_.end(),
-    [this](Id a, Id b)
-    {
-      const Eigen::Vector3d atA = this->Mesh_.Point(a);
-      const Eigen::Vector3d atB = this->Mesh_.Point(b);
-      return atA == atB ? a < b : ComesBefore(atA, atB);
+    [this](Id a, Id b) {
+      return PointComesBefore(this->Mesh_, a, b) || (!PointComesBefore(this->Mesh_, b, a) && a < b);
     });
   this->IrregularNeighbors_.erase(
     std::unique(first, this->IrregularNeighbors_.end()), this->IrregularNeighbors_.end());

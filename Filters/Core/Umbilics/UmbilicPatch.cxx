@@ -140,7 +140,7 @@ std::vector<Id> UmbilicPatch::Contour() const
   if (!next.empty())
   {
     const auto comesFirst = [this](const auto& a, const auto& b)
-    { return ComesBefore(this->Mesh_.Point(a.first), this->Mesh_.Point(b.first)); };
+    { return PointComesBefore(this->Mesh_, a.first, b.first); };
     const Id start = std::min_element(next.begin(), next.end(), comesFirst)->first;
     Id p = start;
     do

@@ -138,7 +138,7 @@ TEST(RidgeTrace, SplitsIntoUniformRuns)
     for (RidgeTrace& trace :
       TraceAll(surface.Triangles(), arrays.View(), Color::Blue, TypeRule::FourthOrder))
     {
-      MakeCanonical(trace);
+      MakeCanonical(surface.Triangles(), trace);
       CheckRuns(trace);
       loops += trace.closed ? 1 : 0;
       // Types change an even number of times around a loop.
@@ -198,11 +198,12 @@ TEST(RidgeTrace, RemovesTurningPointsThatTurnNoMore)
 //------------------------------------------------------------------------------
 TEST(RidgeTrace, CanonicalFormDependsOnPositionsOnly)
 {
+  const TriangleMesh mesh; // No two vertices are in one place, so that no edge is asked for.
   for (const bool closed : { false, true })
   {
     RidgeTrace trace = TraceWith({ H, E, E, H, E, H, H, E, E, H }, 1.0, closed);
     RidgeTrace expected = trace;
-    MakeCanonical(expected);
+    MakeCanonical(mesh, expected);
     for (std::size_t shift = 0; shift < (closed ? 10u : 1u); ++shift)
     {
       for (const bool reverse : { false, true })
@@ -221,9 +222,9 @@ TEST(RidgeTrace, CanonicalFormDependsOnPositionsOnly)
           std::reverse(other.vertices.begin(), other.vertices.end());
           std::reverse(other.types.begin(), other.types.end());
         }
-        MakeCanonical(other);
+        MakeCanonical(mesh, other);
         EXPECT_EQ(other.types, expected.types);
-        EXPECT_FALSE(ComesBefore(other, expected) || ComesBefore(expected, other));
+        EXPECT_FALSE(ComesBefore(mesh, other, expected) || ComesBefore(mesh, expected, other));
       }
     }
     EXPECT_NE(expected.types.front(), closed ? expected.types.back() : E);

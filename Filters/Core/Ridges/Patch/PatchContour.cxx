@@ -91,9 +91,13 @@ bool PatchContour::FindStart(Place& start) const
     {
       const Eigen::Vector3d middle =
         this->Mesh_.Point(corners[side]) + this->Mesh_.Point(corners[(side + 1) % 3]);
-      // An edge that is cut has two triangles.
+      // An edge that is cut has two triangles, and sides of one have one middle where points
+      // coincide.
       const bool comesFirst = start.triangle < 0 || ComesBefore(middle, least) ||
-        (middle == least && ComesBefore(this->Mesh_, glued.first, start.triangle));
+        (middle == least &&
+          (glued.first != start.triangle
+              ? ComesBefore(this->Mesh_, glued.first, start.triangle)
+              : PointComesBefore(this->Mesh_, corners[(side + 1) % 3], start.end)));
       if ((glued.second >> side & 1U) == 0 && comesFirst)
       {
         start = { glued.first, this->Mesh_.EdgeOf(glued.first, side), corners[(side + 1) % 3] };
