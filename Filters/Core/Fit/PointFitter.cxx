@@ -101,8 +101,10 @@ JetFit PointFitter::FitGrown(Id vertex, const JetFit& first, Span<Id>& points)
 {
   JetFit best = first;
   int ringsOfBest = 0;
-  for (int rings = 1; rings <= MostRingsAdded && best.conditionNumber > GrowAbove; ++rings)
+  int rings = 0;
+  while (rings < MostRingsAdded && best.conditionNumber > GrowAbove)
   {
+    ++rings;
     points = this->Neighborhood_.Grow();
     const JetFit fit = this->FitTo(points);
     if (fit.conditionNumber < 0.5 * best.conditionNumber)
@@ -114,6 +116,10 @@ JetFit PointFitter::FitGrown(Id vertex, const JetFit& first, Span<Id>& points)
     {
       break;
     }
+  }
+  if (ringsOfBest == rings)
+  {
+    return best; // The last one.
   }
   points = this->Gather(vertex, ringsOfBest);
   return this->FitTo(points);

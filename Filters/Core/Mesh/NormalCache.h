@@ -5,6 +5,7 @@
 
 #include "Mesh/TriangleMesh.h"
 
+#include <unordered_map>
 #include <vector>
 
 namespace ridges
@@ -25,6 +26,17 @@ public:
 
   Eigen::Vector3d At(Id point)
   {
+    // Those of large fans take long, and all points of the fan need them: none takes their place.
+    constexpr Id largestFan = 32;
+    if (this->Mesh_.TrianglesAround(point).size() > largestFan)
+    {
+      const auto [entry, isNew] = this->OfLargeFans_.try_emplace(point);
+      if (isNew)
+      {
+        entry->second = this->Mesh_.PointNormal(point).stableNormalized();
+      }
+      return entry->second;
+    }
     constexpr Id size = 4096;
     this->Entries_.resize(size);
     Entry& entry = this->Entries_[point % size];
@@ -44,6 +56,7 @@ private:
 
   const TriangleMesh& Mesh_;
   std::vector<Entry> Entries_;
+  std::unordered_map<Id, Eigen::Vector3d> OfLargeFans_;
 };
 
 } // namespace ridges

@@ -50,13 +50,13 @@ void SmallLoops::GrowByOne(Part& part, const Fence& fence) const
 {
   const TriangleMesh& mesh = this->Crossings_.Mesh();
   const Id point = part.points[part.done++];
-  if (part.points.size() > MostPoints || !this->IsInsignificant(point))
-  {
-    part.isSmall = false;
-    return;
-  }
+  part.isSmall = part.points.size() <= MostPoints && this->IsInsignificant(point);
   for (const Id t : mesh.TrianglesAround(point))
   {
+    if (!part.isSmall)
+    {
+      return;
+    }
     for (int side = 0; side < 3; ++side)
     {
       const Id e = mesh.EdgeOf(t, side);
@@ -68,6 +68,8 @@ void SmallLoops::GrowByOne(Part& part, const Fence& fence) const
         part.points.push_back(other);
       }
     }
+    // One point may have very many neighbours.
+    part.isSmall = part.points.size() <= MostPoints;
   }
 }
 
