@@ -21,8 +21,10 @@ namespace ridges
  * - The surface may fold over within the neighbourhood, as on a coarse sphere, around a thin rod,
  *   or at the rim of a plate: the normals of some points are at right angles to the height axis,
  *   or beyond, and there is no height function. Then only points are taken that face the same side
- * as the vertex, and are reached over such points, in the degree that they determine. The fit is
- *   flagged as FitFolded.
+ *   as the vertex, and are reached over such points, in the degree that they determine. The fit is
+ *   flagged as FitFolded, unless these points say how the surface curves: they determine the whole
+ *   degree, the normals of neighbours are within 41 degrees, and the residual leaves the normal
+ *   within the radius certain to 0.1 rad.
  * - What stays ill conditioned is fitted in a lower degree that the points determine.
  *
  * Holds scratch memory: use one per thread.
@@ -70,6 +72,7 @@ private:
   void SetOffsets(Span<Id> points);
   JetFit FitGrown(Id vertex, const JetFit& first, Span<Id>& points);
   JetFit FitBeforeFold(Id vertex, const JetFit& folded);
+  bool TurnsLittleAround(Id vertex);
   JetFit FitLower(Span<Id> points, const JetFit& fit, double mostCondition);
 
   const TriangleMesh& Mesh_;

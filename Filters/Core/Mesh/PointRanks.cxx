@@ -71,8 +71,7 @@ void PointRanks::Build(const TriangleMesh& mesh)
   // enough.
   constexpr std::size_t fewestRounds = 16;
   constexpr std::size_t most = 20'000'000; // points looked at
-  const std::size_t rounds =
-    points.empty() ? 0 : std::max(fewestRounds, most / points.size());
+  const std::size_t rounds = points.empty() ? 0 : std::max(fewestRounds, most / points.size());
   std::vector<std::uint64_t> refined(points.size());
   std::size_t different = 0;
   for (std::size_t round = 0; round < rounds; ++round)

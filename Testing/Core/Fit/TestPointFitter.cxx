@@ -79,7 +79,7 @@ Mesh Rod(int sides, int length)
 //------------------------------------------------------------------------------
 // On 42 points 18 reach to the equator at least. Fitted are then caps of up to 63 degrees: within
 // them a quartic is off by a few percent of the curvature, and so is a quadric through the 6 points
-// of an icosahedron's cap by 1 / cos^2(63 / 2) - 1.
+// of an icosahedron's cap by 1 / cos^2(63 / 2) - 1. What is not flagged is right to a quarter.
 TEST(PointFitter, ACoarseSphereHasTheRightSign)
 {
   for (const int frequency : { 1, 2 })
@@ -88,10 +88,12 @@ TEST(PointFitter, ACoarseSphereHasTheRightSign)
     for (Id p = 0; p < fits.Size(); ++p)
     {
       const JetFit fit = fits.fitter.Fit(p);
-      EXPECT_TRUE(fit.status & FitFolded) << p;
+      const bool isFlagged = (fit.status & FitFolded) != 0;
+      EXPECT_TRUE(frequency > 1 || isFlagged) << p;
+      const double tolerance = isFlagged ? 0.4 : 0.25;
       const MongeForm form = FormOf(fit);
-      EXPECT_NEAR(form.k1, -1.0, 0.4) << p;
-      EXPECT_NEAR(form.k2, -1.0, 0.4) << p;
+      EXPECT_NEAR(form.k1, -1.0, tolerance) << p;
+      EXPECT_NEAR(form.k2, -1.0, tolerance) << p;
     }
   }
   Fits finer(Icosphere(4));
