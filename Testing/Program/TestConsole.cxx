@@ -80,6 +80,21 @@ TEST(Console, EndsAStrictStageAtAWarning)
     program::Failure);
 }
 
+TEST(Console, HoldsWarningsUntilTheyAreWanted)
+{
+  program::Stages stages(false);
+  testing::internal::CaptureStderr();
+  stages.HoldWarnings();
+  stages.Warn("first", "do that");
+  stages.ReleaseWarnings(false);
+  stages.HoldWarnings();
+  stages.Warn("second", "do that");
+  stages.ReleaseWarnings(true);
+  stages.Warn("third", "do that");
+  EXPECT_EQ(testing::internal::GetCapturedStderr(),
+    "vtkridges: warning, second : do that\nvtkridges: warning, third : do that\n");
+}
+
 TEST(Console, MeasuresStages)
 {
   program::Stages stages(true);

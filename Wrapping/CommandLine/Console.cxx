@@ -274,9 +274,30 @@ void Stages::RunStrictly(
 
 void Stages::Warn(const std::string& warning, const std::string& advice)
 {
-  if (!this->Quiet && this->Warned.insert(warning).second)
+  if (this->HoldsBack)
+  {
+    this->Held.emplace_back(warning, advice);
+  }
+  else if (!this->Quiet && this->Warned.insert(warning).second)
   {
     std::cerr << "vtkridges: warning, " << warning << " : " << advice << "\n";
+  }
+}
+
+void Stages::HoldWarnings()
+{
+  this->HoldsBack = true;
+}
+
+void Stages::ReleaseWarnings(bool areWanted)
+{
+  this->HoldsBack = false;
+  for (const auto& [warning, advice] : std::exchange(this->Held, {}))
+  {
+    if (areWanted)
+    {
+      this->Warn(warning, advice);
+    }
   }
 }
 

@@ -68,6 +68,10 @@ public:
   /// Prints a warning of the program itself, as all warnings only once.
   void Warn(const std::string& warning, const std::string& advice);
 
+  /// Keeps warnings from now on, until it is known whether they are wanted.
+  void HoldWarnings();
+  void ReleaseWarnings(bool areWanted);
+
   /// Name and seconds of the stages run so far.
   const std::vector<Duration>& GetDurations() const { return this->Durations; }
 
@@ -76,7 +80,9 @@ private:
 
   std::string InOptions(std::string text) const;
 
-  std::set<std::string> Warned;             ///< The warnings so far.
+  std::set<std::string> Warned;                          ///< The warnings so far.
+  std::vector<std::pair<std::string, std::string>> Held; ///< Warnings with their advice.
+  bool HoldsBack = false;
   std::map<std::string, std::string> Hints; ///< By the name of a class.
   bool Quiet;
   bool ShowProgress;

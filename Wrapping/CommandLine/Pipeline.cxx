@@ -175,6 +175,10 @@ void RunFilters(const Options& options, Filters& filters, Stages& stages, Result
   {
     vtkJetFitting* jetFitting = filters.jetFitting;
     jetFitting->SetInputData(mesh);
+    if (lines == Lines::ByData)
+    {
+      stages.HoldWarnings(); // The filter for salient lines fits for itself, and warns itself.
+    }
     stages.Run(
       "jet fitting", [jetFitting] { return FitAdvice(jetFitting->GetOutput()); }, jetFitting,
       [jetFitting]
@@ -188,6 +192,7 @@ void RunFilters(const Options& options, Filters& filters, Stages& stages, Result
     const LineChoice choice = ChooseLines(filters.jetFitting->GetOutput());
     lines = choice.lines;
     results.lineChoice = choice.reason;
+    stages.ReleaseWarnings(lines != Lines::Salient);
   }
   if (lines == Lines::Salient)
   {
