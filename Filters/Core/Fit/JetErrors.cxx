@@ -4,6 +4,7 @@
 
 #include "Base/SymmetricTensor.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace ridges
@@ -160,8 +161,12 @@ JetErrors StandardErrors(const JetFitter& fitter, const JetFit& fit)
   }
 
   const JetFitter::Factorization& solver = fitter.LastFactorization();
-  Eigen::MatrixXd factors = GradientOfMongeForm(fit.jet).topRows(size);
-  for (int d = 0; d <= fit.degree; ++d)
+  // Coefficients above order 4 do not matter to the Monge form.
+  const int order = std::min(fit.degree, HeightJet::MaximumDegree);
+  Eigen::MatrixXd factors = Eigen::MatrixXd::Zero(size, MongeGradient::ColsAtCompileTime);
+  factors.topRows(HeightJet::Size(order)) =
+    GradientOfMongeForm(fit.jet).topRows(HeightJet::Size(order));
+  for (int d = 0; d <= order; ++d)
   {
     for (int j = 0; j <= d; ++j)
     {

@@ -2,10 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Fit/JetFit.h"
 
+#include "Fit/DiskMoment.h"
+
+#include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -68,6 +72,25 @@ bool FrameAlong(const Eigen::Vector3d& axis, const Eigen::Ref<const Eigen::Matri
   const double mean2 = 0.5 * (uu + vv);
   const double least = mean2 - std::hypot(0.5 * (uu - vv), uv);
   return axis.squaredNorm() > 0.5 && least > 16.0 * epsilon * mean2;
+}
+
+/// The scalar products over the unit disk of all monomials of a degree and less.
+Eigen::MatrixXd ProductsOverDisk(int degree)
+{
+  const int size = HeightJet::Size(degree);
+  Eigen::VectorXi powersOfU(size);
+  Eigen::VectorXi powersOfV(size);
+  for (int d = 0; d <= degree; ++d)
+  {
+    for (int j = 0; j <= d; ++j)
+    {
+      powersOfU[HeightJet::Index(d - j, j)] = d - j;
+      powersOfV[HeightJet::Index(d - j, j)] = j;
+    }
+  }
+  return Eigen::MatrixXd::NullaryExpr(size, size,
+    [&powersOfU, &powersOfV](Eigen::Index row, Eigen::Index column)
+    { return DiskMoment(powersOfU[row] + powersOfU[column], powersOfV[row] + powersOfV[column]); });
 }
 
 } // namespace
@@ -140,6 +163,42 @@ double JetFitter::NoiseGain(const JetFit& fit, int order) const
   return derivatives.norm() * std::sqrt(count / std::max(1.0, count - size));
 }
 
+// With A P = Q R, and M = L L^T the products over the disk of the monomials, the columns of A L^-T
+// are orthonormal polynomials at the points, and those of R P^T L^-T have the same singular values.
+double JetFitter::ConditionNumber(int degree) const
+{
+  constexpr int orthonormalFrom = 5;
+  const int size = HeightJet::Size(degree);
+  const auto ratio = [size](const auto& pivots)
+  {
+    return std::abs(pivots[size - 1]) > 0.0 ? std::abs(pivots[0] / pivots[size - 1])
+                                            : std::numeric_limits<double>::max();
+  };
+  if (degree < orthonormalFrom)
+  {
+    return ratio(this->Solver_.matrixQTZ().diagonal());
+  }
+  if (this->Solver_.rank() < size)
+  {
+    return std::numeric_limits<double>::max();
+  }
+  static const std::array<Eigen::MatrixXd, MaximumDegree + 1> factors = []
+  {
+    std::array<Eigen::MatrixXd, MaximumDegree + 1> all;
+    for (int d = orthonormalFrom; d <= MaximumDegree; ++d)
+    {
+      all[d] = ProductsOverDisk(d).llt().matrixL();
+    }
+    return all;
+  }();
+  Eigen::MatrixXd matrix = this->Solver_.matrixQTZ().topLeftCorner(size, size);
+  matrix.triangularView<Eigen::StrictlyLower>().setZero();
+  matrix = matrix * this->Solver_.colsPermutation().transpose();
+  factors[degree].triangularView<Eigen::Lower>().transpose().solveInPlace<Eigen::OnTheRight>(
+    matrix);
+  return ratio(Eigen::ColPivHouseholderQR<Eigen::MatrixXd>(matrix).matrixQR().diagonal());
+}
+
 /// The degree and the radius; the degree is 0 if nothing can be fitted.
 JetFit JetFitter::Begin(const Eigen::Ref<const Eigen::Matrix3Xd>& offsets, int degree) const
 {
@@ -205,13 +264,11 @@ void JetFitter::FitInFrame(
 
   this->Solver_.compute(this->Matrix_);
   const Eigen::VectorXd solution = this->Solver_.solve(this->Heights_);
-  const auto pivots = this->Solver_.matrixQTZ().diagonal().cwiseAbs();
   fit.rank = static_cast<int>(this->Solver_.rank());
-  fit.conditionNumber =
-    pivots[size - 1] > 0.0 ? pivots[0] / pivots[size - 1] : std::numeric_limits<double>::max();
+  fit.conditionNumber = this->ConditionNumber(degree);
   fit.residual = (this->Matrix_ * solution - this->Heights_).norm() / std::sqrt(totalWeight);
 
-  for (int d = 0; d <= degree; ++d)
+  for (int d = 0; d <= std::min(degree, HeightJet::MaximumDegree); ++d)
   {
     for (int j = 0; j <= d; ++j)
     {

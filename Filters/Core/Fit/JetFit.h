@@ -28,7 +28,7 @@ enum FitStatus : std::uint8_t
 /// A polynomial height function fitted to the points around a vertex.
 struct JetFit
 {
-  HeightJet jet;                                       ///< Over `frame`, from the vertex.
+  HeightJet jet; ///< Over `frame`, from the vertex; what it has of the degree.
   Eigen::Matrix3d frame = Eigen::Matrix3d::Identity(); ///< Columns u, v, height; direct.
   int degree = 0;                                      ///< Degree that was fitted, 0 if invalid.
   int rank = 0;                                        ///< Numerical rank of the least squares.
@@ -52,7 +52,7 @@ struct JetFit
 };
 
 /**
- * Least-squares fit of a polynomial of degree 1 to 4 to points given as offsets from a vertex
+ * Least-squares fit of a polynomial of degree 1 to 8 to points given as offsets from a vertex
  * (the vertex itself, an offset of zero, included): "jet fitting".
  *
  * The height axis is the direction in which the points spread least (principal component analysis
@@ -63,7 +63,9 @@ struct JetFit
  * gives the solution of least norm where the points leave the polynomial undetermined.
  *
  * The condition number is the ratio of the first to the last pivot of that factorisation, an
- * estimate of the ratio of the extreme singular values. From `IllConditionedAbove` on the fit is
+ * estimate of the ratio of the extreme singular values. From degree 5 on it is that of the same
+ * problem in polynomials that are orthonormal over the unit disk, because monomials of such degrees
+ * are nearly dependent anywhere. From `IllConditionedAbove` on the fit is
  * flagged: derivatives of the surface beyond the degree, and noise, are then magnified beyond use.
  * So it is between `WellConditionedBelow` and that, and where the points lie in a narrow strip, if
  * the residual makes the curvature uncertain by `MostTurnOfWeak` within the radius.
@@ -75,6 +77,16 @@ struct JetFit
 class JetFitter
 {
 public:
+  static constexpr int MaximumDegree = 8;
+
+  /// As few points as a neighbourhood should have: the coefficients, and from degree 5 on a fifth
+  /// more, because fits that interpolate are hardly ever well conditioned there.
+  static constexpr int FewestPoints(int degree)
+  {
+    constexpr int fewest[] = { 1, 3, 6, 10, 15, 26, 34, 45, 56 };
+    return fewest[degree];
+  }
+
   static constexpr double IllConditionedAbove = 1e5;
   static constexpr double WellConditionedBelow = 2000.0;
 
@@ -108,6 +120,7 @@ private:
   void FitInFrame(
     const Eigen::Ref<const Eigen::Matrix3Xd>& offsets, Weighting weighting, JetFit& fit);
   void SetMonomials(const Eigen::Ref<const Eigen::Matrix3Xd>& offsets, JetFit& fit);
+  double ConditionNumber(int degree) const;
   double NoiseGain(const JetFit& fit, int order) const;
   void Weigh(const Eigen::Ref<const Eigen::Matrix3Xd>& offsets, double radius);
 

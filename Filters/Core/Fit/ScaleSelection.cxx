@@ -148,7 +148,8 @@ ScaleTrial ScaleProbe::Try(Id vertex)
     }
     this->AddPoints(vertex, points, smallest);
     trial.usable = this->FitPoints(smallest.radius, trial.fits[scale]);
-    if (scale == 1)
+    // From degree 5 on the second scale may have too few points for that.
+    if (scale == 1 || (scale > 1 && this->Degree_ > 4 && trial.noiseFreedom == 0))
     {
       this->FitHigherDegree(smallest.radius, trial);
     }

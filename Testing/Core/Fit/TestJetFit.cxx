@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
+#include <vector>
 
 namespace
 {
@@ -43,6 +44,14 @@ double Height(const HeightJet& jet, double x, double y)
   return z;
 }
 
+// Terms of degree 5 and more, which the Monge form does not know.
+struct HigherTerm
+{
+  int i;
+  int j;
+  double coefficient;
+};
+
 struct GraphSample
 {
   HeightJet jet;
@@ -57,7 +66,15 @@ template <typename Generator>
 GraphSample RandomGraph(int degree, int count, Generator& generator)
 {
   GraphSample sample;
-  for (int d = 2; d <= degree; ++d)
+  std::vector<HigherTerm> higher;
+  for (int d = 5; d <= degree; ++d)
+  {
+    for (int j = 0; j <= d; ++j)
+    {
+      higher.push_back({ d - j, j, 0.1 * Symmetric(generator) });
+    }
+  }
+  for (int d = 2; d <= std::min(degree, HeightJet::MaximumDegree); ++d)
   {
     for (int j = 0; j <= d; ++j)
     {
@@ -69,7 +86,13 @@ GraphSample RandomGraph(int degree, int count, Generator& generator)
   {
     const Vector3d inBall = 0.8 * InBall(generator);
     sample.offsets.col(i).head<2>() = inBall.head<2>();
-    sample.offsets(2, i) = Height(sample.jet, sample.offsets(0, i), sample.offsets(1, i));
+    const double x = inBall[0];
+    const double y = inBall[1];
+    sample.offsets(2, i) = Height(sample.jet, x, y);
+    for (const HigherTerm& term : higher)
+    {
+      sample.offsets(2, i) += term.coefficient * std::pow(x, term.i) * std::pow(y, term.j);
+    }
   }
   const Matrix3Xd centered = sample.offsets.colwise() - sample.offsets.rowwise().mean().eval();
   const Eigen::Matrix3d covariance = centered * centered.transpose();
@@ -119,6 +142,31 @@ TEST(JetFit, RecoversPolynomialsOfItsDegree)
       EXPECT_LT(fit.residual, 1e-13);      // Round-off in units of the radius.
       EXPECT_NEAR(fit.radius, sample.offsets.colwise().norm().maxCoeff(), 1e-15);
       // Principal directions turn by the error of the fit divided by k1 - k2.
+      const double certainty = std::min(1.0, exact.k1 - exact.k2);
+      EXPECT_LT(LargestDifference(FormOf(fit), ToMongeForm(exact)) * certainty, FitRoundOff)
+        << "trial " << trial << " degree " << degree << " fitted " << fitted;
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST(JetFit, RecoversPolynomialsOfHighDegree)
+{
+  std::mt19937_64 generator(23);
+  JetFitter fitter;
+  for (int trial = 0; trial < 40; ++trial)
+  {
+    const int degree = 5 + trial % 4;
+    const GraphSample sample = RandomGraph(degree, 3 * HeightJet::Size(degree), generator);
+    const ExactMonge exact = GraphSurface(sample.jet).Monge(Vector3d::Zero());
+    for (int fitted = degree; fitted <= JetFitter::MaximumDegree; ++fitted)
+    {
+      const JetFit fit = fitter.Fit(sample.offsets, fitted, Vector3d(0.3, 0.2, 1.0));
+      ASSERT_EQ(fit.status, FitGood);
+      EXPECT_EQ(fit.degree, fitted);
+      EXPECT_EQ(fit.rank, HeightJet::Size(fitted));
+      EXPECT_LT(fit.conditionNumber, 2e3); // Of orthonormal polynomials: some 10 to 100.
+      EXPECT_LT(fit.residual, 1e-13);
       const double certainty = std::min(1.0, exact.k1 - exact.k2);
       EXPECT_LT(LargestDifference(FormOf(fit), ToMongeForm(exact)) * certainty, FitRoundOff)
         << "trial " << trial << " degree " << degree << " fitted " << fitted;
