@@ -20,13 +20,16 @@ struct JetBatch
 {
   static constexpr int MaximumLanes = 8;
   static constexpr int MaximumRows = 320;
+  static constexpr int NumberOfErrors = 8;
+  static constexpr double UnknownError = -1.0;
 
   /// @name Input
   ///@{
-  int degree;           ///< 2 to 4
+  int degree;           ///< 2 to 8
   int rows;             ///< Most points that a lane has.
   int triangles;        ///< Most triangles that the fan of a lane has.
   bool weighted;        ///< Whether there are weights; else all points count the same.
+  bool standardErrors;  ///< Whether they are wanted.
   const double* points; ///< x, y, z of each point of the mesh.
 
   /// The points of each lane, the vertex first. Of all lanes `rows` are read; those past the end
@@ -61,6 +64,10 @@ struct JetBatch
   alignas(64) double radius[MaximumLanes];          ///< As in JetFit.
   alignas(64) double good[MaximumLanes];            ///< Whether the lane has a result: 1 or 0.
   alignas(64) double doubtful[MaximumLanes];        ///< Whether the surface may fold over: 1 or 0.
+
+  /// Standard errors of k1, k2, b0 to b3, P1 and P2, if they are wanted: see StandardErrors in
+  /// JetErrors.h.
+  alignas(64) double errors[NumberOfErrors * MaximumLanes];
   ///@}
 };
 
@@ -79,8 +86,10 @@ struct JetBatch
  * The condition number is 0 if the frame failed, and `Singular` if a pivot did. Else it is that of
  * the least squares, estimated from the factors: the longest column of its matrix over a bound on
  * the least singular value that is at most five times too large (by experience, as the pivots in
- * JetFit; in theory there is no such limit). Its points are in units of the radius. The noise gain
- * is estimated too: by experience within a factor of 0.6 to 1.8.
+ * JetFit; in theory there is no such limit). Its points are in units of the radius up to degree 4,
+ * and above in those of JetFitter, in whose orthonormal polynomials the condition number is then
+ * meant. The noise gain is estimated too, up to degree 4: by experience within a factor of 0.6 to
+ * 1.8.
  */
 struct JetBatchKernel
 {

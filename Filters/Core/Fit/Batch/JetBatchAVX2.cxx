@@ -9,11 +9,26 @@
 namespace ridges
 {
 
+// See the files of these names.
+void FitJetBatchErrorsAVX2(JetBatch& batch);
+void FitJetBatchTiledAVX2(JetBatch& batch);
+
 void FitJetBatchAVX2(JetBatch& batch);
 
 void FitJetBatchAVX2(JetBatch& batch)
 {
-  FitLanes(batch);
+  if (batch.degree > 4)
+  {
+    FitJetBatchTiledAVX2(batch);
+  }
+  else if (batch.standardErrors)
+  {
+    FitJetBatchErrorsAVX2(batch);
+  }
+  else
+  {
+    FitLanes<false>(batch);
+  }
 }
 
 } // namespace ridges

@@ -9,11 +9,26 @@
 namespace ridges
 {
 
+// See the files of these names.
+void FitJetBatchErrorsAVX512(JetBatch& batch);
+void FitJetBatchTiledAVX512(JetBatch& batch);
+
 void FitJetBatchAVX512(JetBatch& batch);
 
 void FitJetBatchAVX512(JetBatch& batch)
 {
-  FitLanes(batch);
+  if (batch.degree > 4)
+  {
+    FitJetBatchTiledAVX512(batch);
+  }
+  else if (batch.standardErrors)
+  {
+    FitJetBatchErrorsAVX512(batch);
+  }
+  else
+  {
+    FitLanes<false>(batch);
+  }
 }
 
 } // namespace ridges

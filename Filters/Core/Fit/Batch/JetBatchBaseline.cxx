@@ -9,11 +9,26 @@
 namespace ridges
 {
 
+// See the files of these names.
+void FitJetBatchErrorsBaseline(JetBatch& batch);
+void FitJetBatchTiledBaseline(JetBatch& batch);
+
 void FitJetBatchBaseline(JetBatch& batch);
 
 void FitJetBatchBaseline(JetBatch& batch)
 {
-  FitLanes(batch);
+  if (batch.degree > 4)
+  {
+    FitJetBatchTiledBaseline(batch);
+  }
+  else if (batch.standardErrors)
+  {
+    FitJetBatchErrorsBaseline(batch);
+  }
+  else
+  {
+    FitLanes<false>(batch);
+  }
 }
 
 } // namespace ridges

@@ -8,8 +8,8 @@
 namespace ridges
 {
 
-JetBatchFiller::JetBatchFiller(
-  const TriangleMesh& mesh, const OrderedRings& rings, int degree, Weighting weighting)
+JetBatchFiller::JetBatchFiller(const TriangleMesh& mesh, const OrderedRings& rings, int degree,
+  Weighting weighting, bool standardErrors)
   : Mesh_(mesh)
   , Rings_(rings)
   , Weighting_(weighting)
@@ -17,6 +17,7 @@ JetBatchFiller::JetBatchFiller(
 {
   this->Batch_->degree = degree;
   this->Batch_->weighted = weighting != Weighting::Uniform;
+  this->Batch_->standardErrors = standardErrors;
 }
 
 bool JetBatchFiller::Add(Id vertex, Span<Id> points, bool wholeRings)

@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkRidges contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// What FitJetBatch... do, for RIDGES_LANES lanes: see JetBatch.h. Every lane does the same
-// arithmetic whatever its neighbours hold, and rows past its end add zeros, so that the result of a
-// vertex does not depend on the batch it came in.
+// What FitJetBatch... do in degrees 2 to 4, for RIDGES_LANES lanes: see JetBatch.h. Every lane does
+// the same arithmetic whatever its neighbours hold, and rows past its end add zeros, so that the
+// result of a vertex does not depend on the batch it came in.
 #ifndef ridges_JetBatchKernel_h
 #define ridges_JetBatchKernel_h
 
-#include "Fit/Batch/JetBatchFrame.h"
-#include "Fit/Batch/JetBatchMoments.h"
+#include "Fit/Batch/JetBatchErrors.h"
+#include "Fit/Batch/JetBatchLocal.h"
 #include "Fit/Batch/JetBatchMonge.h"
 #include "Fit/Batch/JetBatchSolve.h"
 
@@ -49,44 +49,111 @@ inline void StoreQuality(ridges::JetBatch& batch, const Frame& frame,
   Store(batch.noiseGain, gain);
 }
 
-/// Marks fits that are to be looked at closely.
+/// The gradients g, of the equations factored as L D L^T: L^-1 g, and variances from it.
 template <int Degree>
-inline void StoreDoubt(ridges::JetBatch& batch, const Frame& frame, const Vec& residual)
+inline void SolveGradients(
+  const NormalEquations<Degree>& equations, Gradients& gradients, UnitVariances& unit)
 {
-  constexpr double mostNoise = ridges::JetBatchKernel::MostNoise;
-  const Vec counts = Load(batch.counts);
-  const Vec freedom = Max(counts - static_cast<double>(NumberOfMonomials(Degree)), Broadcast(1.0));
-  const auto noisy = residual * residual * counts > mostNoise * mostNoise * freedom;
-  Store(batch.doubtful, (noisy && frame.bends) || frame.mayFold ? Broadcast(1.0) : Vec{});
+  auto& y = gradients.at;
+  for (int q = 0; q < Quantities; ++q)
+  {
+    unit.of[q] = Vec{};
+  }
+  for (int row = 1; row < NumberOfMonomials(Degree); ++row)
+  {
+    Vec rest[Quantities];
+#pragma GCC unroll 8
+    for (int q = 0; q < Quantities; ++q)
+    {
+      rest[q] = y[row][q];
+    }
+    for (int column = 1; column < row; ++column)
+    {
+      const Vec factor = equations.L[row][column];
+#pragma GCC unroll 8
+      for (int q = 0; q < Quantities; ++q)
+      {
+        rest[q] -= factor * y[column][q];
+      }
+    }
+    const Vec inverse = equations.inverseD[row];
+#pragma GCC unroll 8
+    for (int q = 0; q < Quantities; ++q)
+    {
+      y[row][q] = rest[q];
+      unit.of[q] += rest[q] * rest[q] * inverse;
+    }
+  }
 }
 
+/// With weights, of the solved gradients: each point counts with the square of its weight, and
+/// takes a part of the freedom.
 template <int Degree>
+inline void WeighVariances(const LocalPoints& points, const NormalEquations<Degree>& equations,
+  const Gradients& solved, const Vec& totalWeight, UnitVariances& unit)
+{
+  constexpr int size = NumberOfMonomials(Degree);
+  for (Vec& variance : unit.of)
+  {
+    variance = Vec{};
+  }
+  unit.freedom = totalWeight;
+  for (int row = 0; row < points.rows; ++row)
+  {
+    const Vec weight = points.Weight(row);
+    Vec x[size];
+    SetMonomials<Degree>(points.at[row], x);
+    Vec leverage = x[0] * x[0] * equations.inverseD[0];
+    Vec shares[Quantities]{};
+    for (int k = 1; k < size; ++k)
+    {
+      for (int column = 0; column < k; ++column)
+      {
+        x[k] -= equations.L[k][column] * x[column];
+      }
+      const Vec scaled = x[k] * equations.inverseD[k];
+      leverage += x[k] * scaled;
+#pragma GCC unroll 8
+      for (int q = 0; q < Quantities; ++q)
+      {
+        shares[q] += solved.at[k][q] * scaled;
+      }
+    }
+    unit.freedom -= weight * weight * leverage;
+    for (int q = 0; q < Quantities; ++q)
+    {
+      const Vec share = weight * shares[q];
+      unit.of[q] += share * share;
+    }
+  }
+}
+
+/// Apart from the fit, whose code is the same without it.
+template <int Degree>
+__attribute__((noinline)) void StoreErrorsOf(ridges::JetBatch& batch, const Frame& frame,
+  const LocalPoints& points, const NormalEquations<Degree>& equations, const Vec& totalWeight)
+{
+  Gradients gradients;
+  SetGradients(batch, frame, { Broadcast(1.0), Broadcast(1.0) }, gradients);
+  UnitVariances unit;
+  SolveGradients<Degree>(equations, gradients, unit);
+  unit.freedom = Load(batch.counts) - static_cast<double>(NumberOfMonomials(Degree));
+  if (batch.weighted)
+  {
+    WeighVariances<Degree>(points, equations, gradients, totalWeight, unit);
+  }
+  StoreErrors<Degree>(batch, totalWeight, unit);
+}
+
+template <int Degree, bool WithErrors>
 inline void FitDegree(ridges::JetBatch& batch)
 {
   constexpr int size = NumberOfMonomials(Degree);
   constexpr int order = 2 * Degree;
 
   LocalPoints points;
-  points.rows = batch.rows;
-  points.weights = batch.weights;
-  const Frame frame = PrincipalFrame(batch, points.at);
+  const Frame frame = SetLocalPoints(batch, points);
   const Vec perRadius = 1.0 / frame.radius;
-  const Vec3 u = perRadius * frame.u;
-  const Vec3 v = perRadius * frame.v;
-  const Vec3 n = perRadius * frame.n;
-  for (int row = 1; row < batch.rows; ++row)
-  {
-    const Vec3 offset = points.at[row];
-    points.at[row] = { Dot(u, offset), Dot(v, offset), Dot(n, offset) };
-  }
-  if (!batch.weighted)
-  {
-    const Vec counts = Load(batch.counts);
-    for (int row = 0; row < batch.rows; ++row)
-    {
-      Store(batch.weights + row * Lanes, Broadcast(row) < counts ? Broadcast(1.0) : Vec{});
-    }
-  }
 
   // In two passes, as the sums of one would not fit in the registers.
   Vec moments[order + 1][order + 1];
@@ -131,18 +198,23 @@ inline void FitDegree(ridges::JetBatch& batch)
   const auto good = equations.excess > 0.0 && !frame.failed && zeros + 0.0 * residual == 0.0;
   Store(batch.good, good ? Broadcast(1.0) : Vec{});
   StoreDoubt<Degree>(batch, frame, residual);
+  if constexpr (WithErrors)
+  {
+    StoreErrorsOf<Degree>(batch, frame, points, equations, totalWeight);
+  }
 }
 
+template <bool WithErrors>
 inline void FitLanes(ridges::JetBatch& batch)
 {
   switch (batch.degree)
   {
     case 2:
-      return FitDegree<2>(batch);
+      return FitDegree<2, WithErrors>(batch);
     case 3:
-      return FitDegree<3>(batch);
+      return FitDegree<3, WithErrors>(batch);
     default:
-      return FitDegree<4>(batch);
+      return FitDegree<4, WithErrors>(batch);
   }
 }
 

@@ -9,6 +9,7 @@
 
 #include "Fit/Batch/JetBatch.h"
 #include "Fit/Batch/JetBatchFiller.h"
+#include "Fit/JetErrors.h"
 #include "Fit/JetFit.h"
 #include "Formula/ExampleSurface.h"
 
@@ -18,6 +19,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <functional>
@@ -42,6 +44,7 @@ struct BatchFit
   double noiseGain = 0.0;
   bool good = false;
   bool doubtful = false;
+  std::array<double, JetBatch::NumberOfErrors> errors{};
 };
 
 // Fits what has been added.
@@ -61,20 +64,25 @@ void FitAdded(JetBatchFiller& filler, const JetBatchKernel& kernel, std::vector<
         fit.radius = batch.radius[lane];
         fit.noiseGain = batch.noiseGain[lane];
         fit.doubtful = batch.doubtful[lane] != 0.0;
+        for (int i = 0; batch.standardErrors && i < JetBatch::NumberOfErrors; ++i)
+        {
+          fit.errors[i] = batch.errors[i * kernel.lanes + lane];
+        }
       }
     });
 }
 
 // All points of a mesh, from `first` on.
 std::vector<BatchFit> FitAll(const TriangleMesh& mesh, const JetBatchKernel& kernel, int degree,
-  int minimumNumberOfPoints, Id first = 0, Weighting weighting = Weighting::Uniform)
+  int minimumNumberOfPoints, Id first = 0, Weighting weighting = Weighting::Uniform,
+  bool standardErrors = false)
 {
   const OrderedRings rings = RingsOf(mesh);
   RingNeighborhood neighborhood(mesh, rings);
   NeighborhoodRule rule;
   rule.minimumNumberOfPoints = minimumNumberOfPoints;
   std::vector<BatchFit> fits(mesh.NumberOfPoints());
-  JetBatchFiller filler(mesh, rings, degree, weighting);
+  JetBatchFiller filler(mesh, rings, degree, weighting, standardErrors);
   for (Id i = 0; i < mesh.NumberOfPoints(); ++i)
   {
     const Id p = (i + first) % mesh.NumberOfPoints();
@@ -89,7 +97,7 @@ std::vector<BatchFit> FitAll(const TriangleMesh& mesh, const JetBatchKernel& ker
 }
 
 // The same fit in long double: principal frame by Jacobi's method, pivoted Householder QR.
-MongeForm Reference(const Eigen::Matrix3Xd& offsets, const Vector3d& side)
+MongeForm Reference(const Eigen::Matrix3Xd& offsets, const Vector3d& side, int degree)
 {
   using Real = long double;
   using Matrix = Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic>;
@@ -110,10 +118,10 @@ MongeForm Reference(const Eigen::Matrix3Xd& offsets, const Vector3d& side)
 
   const Real radius = std::sqrt(points.colwise().squaredNorm().maxCoeff());
   const Matrix local = frame.transpose() * points / radius;
-  Matrix system(local.cols(), 15);
+  Matrix system(local.cols(), HeightJet::Size(degree));
   for (Eigen::Index row = 0; row < local.cols(); ++row)
   {
-    for (int d = 0; d <= 4; ++d)
+    for (int d = 0; d <= degree; ++d)
     {
       for (int j = 0; j <= d; ++j)
       {
@@ -173,7 +181,14 @@ struct Errors
 // Fits with larger condition numbers are done once more by the solver for single points.
 constexpr double LargestConditionNumber = 2000.0;
 
-void CompareWithReference(const char* name, const Mesh& input)
+NeighborhoodRule RuleFor(int degree)
+{
+  NeighborhoodRule rule;
+  rule.minimumNumberOfPoints = std::max(18, JetFitter::FewestPoints(degree));
+  return rule;
+}
+
+void CompareWithReference(const char* name, const Mesh& input, int degree = 4, Id step = 7)
 {
   const MeshedSurface surface(input);
   const TriangleMesh& mesh = surface.Triangles();
@@ -181,15 +196,16 @@ void CompareWithReference(const char* name, const Mesh& input)
   RingNeighborhood neighborhood(mesh, rings);
   std::vector<Id> sample;
   std::vector<MongeForm> references;
-  for (Id p = 0; p < mesh.NumberOfPoints(); p += 7)
+  const NeighborhoodRule rule = RuleFor(degree);
+  for (Id p = 0; p < mesh.NumberOfPoints(); p += step)
   {
-    const Eigen::Matrix3Xd offsets = OffsetsAround(mesh, p, neighborhood, NeighborhoodRule());
+    const Eigen::Matrix3Xd offsets = OffsetsAround(mesh, p, neighborhood, rule);
     sample.push_back(p);
-    references.push_back(Reference(offsets, mesh.PointNormal(p)));
+    references.push_back(Reference(offsets, mesh.PointNormal(p), degree));
   }
   for (const JetBatchKernel& kernel : JetBatchKernels())
   {
-    const std::vector<BatchFit> fits = FitAll(mesh, kernel, 4, 18);
+    const auto fits = FitAll(mesh, kernel, degree, rule.minimumNumberOfPoints);
     const auto batched = [](const BatchFit& fit)
     { return fit.good && fit.conditionNumber <= LargestConditionNumber; };
     const auto notBatched =
@@ -208,9 +224,9 @@ void CompareWithReference(const char* name, const Mesh& input)
         ++compared;
       }
     }
-    std::printf("%-10s %-8s against long double: k %.1e, b %.1e, P %.1e at %zu points; "
+    std::printf("%-10s degree %d %-8s against long double: k %.1e, b %.1e, P %.1e at %zu points; "
                 "%zu of all %zu not batched\n",
-      name, kernel.name, errors.k, errors.b, errors.P, compared, notBatched, fits.size());
+      name, degree, kernel.name, errors.k, errors.b, errors.P, compared, notBatched, fits.size());
     EXPECT_GT(compared, sample.size() * 9 / 10);
     EXPECT_LT(notBatched, fits.size() / 100);
     EXPECT_LT(errors.k, 1e-8);
@@ -243,6 +259,25 @@ TEST(JetBatch, AgreesWithLongDouble)
   CompareWithReference("far away",
     Transform(EllipsoidMesh(24, 1.4, 1.0, 0.6), GenericRotation(), Vector3d(100, -50, 70)));
   CompareWithReference("blend", ToMesh(MeshSurface(BlendSurface(), 24)));
+}
+
+//------------------------------------------------------------------------------
+TEST(JetBatch, HighDegreesAgreeWithLongDouble)
+{
+  for (const int degree : { 5, 6, 7, 8 })
+  {
+    constexpr Id step = 29;
+    CompareWithReference("ellipsoid", EllipsoidMesh(24, 1.4, 1.0, 0.6), degree, step);
+    CompareWithReference(
+      "noisy", AddNormalNoise(EllipsoidMesh(24, 1.4, 1.0, 0.6), 1e-3, 5), degree, step);
+    CompareWithReference("far away",
+      Transform(EllipsoidMesh(24, 1.4, 1.0, 0.6), GenericRotation(), Vector3d(100, -50, 70)),
+      degree, step);
+    CompareWithReference("blend", ToMesh(MeshSurface(BlendSurface(), 24)), degree, step);
+    // Up to twice as dense in one direction as in the other.
+    CompareWithReference(
+      "torus", AddNormalNoise(TorusMesh(2.0, 0.8, 200, 60), 1e-4, 5), degree, 2 * step);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -412,6 +447,71 @@ TEST(JetBatch, ConditionNumberFindsNullPolynomialsInAnyAxes)
 }
 
 //------------------------------------------------------------------------------
+// Regular and irregular meshes, and the borders of grids, which growing rings determine badly.
+TEST(JetBatch, HighDegreesFindTheConditionNumberAndNoiseGainOfTheSinglePointSolver)
+{
+  const Mesh meshes[] = { EllipsoidMesh(12, 1.4, 1.0, 0.6), ToMesh(MeshSurface(BlendSurface(), 12)),
+    AddNormalNoise(GraphPatch([](double x, double y) { return x * y; }, 1.0, 20, 0.24), 1e-3, 2) };
+  for (const int degree : { 5, 6, 7, 8 })
+  {
+    double least = 1e300;
+    double most = 0.0;
+    int singular = 0;
+    for (const Mesh& input : meshes)
+    {
+      const MeshedSurface surface(input);
+      const TriangleMesh& mesh = surface.Triangles();
+      const OrderedRings rings = RingsOf(mesh);
+      RingNeighborhood neighborhood(mesh, rings);
+      const NeighborhoodRule rule = RuleFor(degree);
+      JetFitter fitter;
+      std::vector<JetFit> expected;
+      for (Id p = 0; p < mesh.NumberOfPoints(); p += 3)
+      {
+        expected.push_back(
+          fitter.Fit(OffsetsAround(mesh, p, neighborhood, rule), degree, mesh.PointNormal(p)));
+      }
+      for (const JetBatchKernel& kernel : JetBatchKernels())
+      {
+        const auto fits = FitAll(mesh, kernel, degree, rule.minimumNumberOfPoints);
+        for (std::size_t i = 0; i < expected.size(); ++i)
+        {
+          const BatchFit& fit = fits[3 * i];
+          const double condition = expected[i].conditionNumber;
+          const bool isFrameLost = fit.conditionNumber == 0.0;
+          if (isFrameLost)
+          {
+            ASSERT_FALSE(fit.good);
+          }
+          else if (fit.good && condition < 1e5)
+          {
+            // Axes, and so extents, are any where the neighbourhood is round: the condition number
+            // differs most in such harmless places.
+            const double ratio = fit.conditionNumber / condition;
+            ASSERT_GT(ratio, 0.05) << kernel.name << " " << 3 * i;
+            least = condition > 500.0 ? std::min(least, ratio) : least;
+            most = std::max(most, ratio);
+            // The same formula; round-off is magnified by the condition number.
+            ASSERT_NEAR(fit.noiseGain, expected[i].noiseGain, 1e-4 * expected[i].noiseGain);
+          }
+          else
+          {
+            ++singular;
+            ASSERT_TRUE(!fit.good || fit.conditionNumber > 2e4) << kernel.name << " " << 3 * i;
+            ASSERT_GT(condition, 1e4) << kernel.name << " " << 3 * i;
+          }
+        }
+      }
+    }
+    std::printf("degree %d: large condition numbers are %.2f to %.2f times those of single points, "
+                "%d singular\n",
+      degree, least, most, singular);
+    EXPECT_GT(least, 0.1);
+    EXPECT_LT(most, 5.0);
+  }
+}
+
+//------------------------------------------------------------------------------
 TEST(JetBatch, NoiseGainIsAboutThatOfTheSolverForSinglePoints)
 {
   for (const Mesh& input : { EllipsoidMesh(12, 1.4, 1.0, 0.6),
@@ -487,6 +587,86 @@ TEST(JetBatch, WeightedFitsAgreeWithTheSolverForSinglePoints)
       ASSERT_NEAR(fits[p].form.k2, expected.k2, 1e-10 * k);
       ASSERT_NEAR(fits[p].residual, fit.residual, 1e-13);
       ASSERT_NEAR(fits[p].radius, fit.radius, 1e-15);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST(JetBatch, StandardErrorsAreThoseOfTheSolverForSinglePoints)
+{
+  const MeshedSurface surface(AddNormalNoise(EllipsoidMesh(10, 1.4, 1.0, 0.6), 1e-3, 5));
+  const TriangleMesh& mesh = surface.Triangles();
+  const OrderedRings rings = RingsOf(mesh);
+  RingNeighborhood neighborhood(mesh, rings);
+  for (const Weighting weighting : { Weighting::Uniform, Weighting::Gaussian })
+  {
+    for (int degree = 2; degree <= JetFitter::MaximumDegree; ++degree)
+    {
+      const NeighborhoodRule rule = RuleFor(degree);
+      JetFitter fitter;
+      std::vector<JetErrors> expected;
+      std::vector<bool> isCertain;
+      for (Id p = 0; p < mesh.NumberOfPoints(); ++p)
+      {
+        const JetFit fit = fitter.Fit(
+          OffsetsAround(mesh, p, neighborhood, rule), degree, mesh.PointNormal(p), weighting);
+        expected.push_back(StandardErrors(fitter, fit));
+        const MongeForm form = MongeFormOfHeightJet(fit.jet, fit.frame);
+        isCertain.push_back(form.k1 - form.k2 > 1e-2 * std::abs(form.k2));
+      }
+      for (const JetBatchKernel& kernel : JetBatchKernels())
+      {
+        const auto plain = FitAll(mesh, kernel, degree, rule.minimumNumberOfPoints, 0, weighting);
+        const auto fits =
+          FitAll(mesh, kernel, degree, rule.minimumNumberOfPoints, 0, weighting, true);
+        for (std::size_t p = 0; p < fits.size(); ++p)
+        {
+          const JetErrors& e = expected[p];
+          const double values[] = { e.k1, e.k2, e.b[0], e.b[1], e.b[2], e.b[3], e.P1, e.P2 };
+          for (int i = 0; isCertain[p] && i < JetBatch::NumberOfErrors; ++i)
+          {
+            // Round-off, magnified by condition numbers and by 1 / (k1 - k2).
+            ASSERT_NEAR(fits[p].errors[i], values[i], 1e-6 * std::abs(values[i]))
+              << kernel.name << " degree " << degree << " point " << p << " quantity " << i
+              << (weighting == Weighting::Gaussian ? " weighted" : "");
+          }
+          // All else is the same to the last digit.
+          ASSERT_EQ(fits[p].form.k1, plain[p].form.k1);
+          ASSERT_EQ(fits[p].form.b, plain[p].form.b);
+          ASSERT_EQ(fits[p].form.c, plain[p].form.c);
+          ASSERT_EQ(fits[p].P2, plain[p].P2);
+          ASSERT_EQ(fits[p].conditionNumber, plain[p].conditionNumber);
+          ASSERT_EQ(fits[p].noiseGain, plain[p].noiseGain);
+        }
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST(JetBatch, StandardErrorsAreUnknownWithoutFreedomAndAtUmbilics)
+{
+  // Regular neighbourhoods of 19 points, and 15 of a cap of a sphere are as many as coefficients.
+  const MeshedSurface surface(EllipsoidMesh(6, 1.0, 1.0, 1.0));
+  const TriangleMesh& mesh = surface.Triangles();
+  const OrderedRings rings = RingsOf(mesh);
+  RingNeighborhood neighborhood(mesh, rings);
+  for (const JetBatchKernel& kernel : JetBatchKernels())
+  {
+    std::vector<BatchFit> fits(mesh.NumberOfPoints());
+    JetBatchFiller filler(mesh, rings, 4, Weighting::Uniform, true);
+    for (Id p = 0; p < 8; ++p)
+    {
+      const Span<Id> points = neighborhood.Gather(p + 50, NeighborhoodRule());
+      filler.Add(p, { points.begin(), points.begin() + 15 }, false);
+    }
+    FitAdded(filler, kernel, fits);
+    for (Id p = 0; p < 8; ++p)
+    {
+      for (const double error : fits[p].errors)
+      {
+        ASSERT_EQ(error, JetBatch::UnknownError) << kernel.name;
+      }
     }
   }
 }
