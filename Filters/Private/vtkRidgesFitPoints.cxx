@@ -10,8 +10,9 @@
 namespace
 {
 
-/// Batches only estimate condition numbers, by experience within a factor of two. Between these
-/// limits PointFitter decides whether another ring is needed.
+/// Batches only estimate condition numbers, by experience within a factor of two up to degree 4,
+/// and of four, rarely eight, above. Between these limits PointFitter decides whether another ring
+/// is needed.
 constexpr double GoodBelow = 0.5 * ridges::PointFitter::GrowAbove;
 constexpr double GrowAbove = 2.0 * ridges::PointFitter::GrowAbove;
 
@@ -28,7 +29,7 @@ bool IsFinite(const ridges::MongeForm& form)
 
 vtkRidgesFitPoints::Scratch::Scratch(const vtkRidgesFitPoints& fit)
   : fitter(fit.Mesh, fit.Rings, fit.Wanted.rule, fit.Wanted.degree, fit.Wanted.weighting)
-  , batches(fit.Mesh, fit.Rings, fit.Wanted.degree, fit.Wanted.weighting)
+  , batches(fit.Mesh, fit.Rings, fit.Wanted.degree, fit.Wanted.weighting, fit.Wanted.standardErrors)
 {
 }
 
@@ -39,7 +40,7 @@ vtkRidgesFitPoints::vtkRidgesFitPoints(const ridges::TriangleMesh& mesh,
   , Wanted(settings)
   , Output(output)
 {
-  // The batches know degrees 2 to 4; whatever they cannot do is done point by point.
+  // The batches know degrees 2 to 8; whatever they cannot do is done point by point.
   const std::vector<ridges::JetBatchKernel>& kernels = ridges::JetBatchKernels();
   if (settings.degree >= 2 && !kernels.empty())
   {
@@ -54,7 +55,7 @@ void vtkRidgesFitPoints::operator()(vtkIdType begin, vtkIdType end)
   {
     this->Take(static_cast<ridges::Id>(p), 0, scratch);
   }
-  this->FitBatches(0, scratch);
+  this->FitBatches(scratch);
   this->GrowIllConditioned(scratch);
 }
 
@@ -70,18 +71,18 @@ void vtkRidgesFitPoints::Take(ridges::Id p, int ringsAdded, Scratch& scratch)
   }
   else if (scratch.batches.IsFull())
   {
-    this->FitBatches(ringsAdded, scratch);
+    this->FitBatches(scratch);
   }
 }
 
-void vtkRidgesFitPoints::FitBatches(int ringsAdded, Scratch& scratch)
+void vtkRidgesFitPoints::FitBatches(Scratch& scratch)
 {
   if (scratch.batches.IsEmpty())
   {
     return;
   }
   scratch.batches.Fit(*this->Kernel,
-    [this, ringsAdded, &scratch](const ridges::JetBatch& batch, ridges::Span<ridges::Id> vertices)
+    [this, &scratch](const ridges::JetBatch& batch, ridges::Span<ridges::Id> vertices)
     {
       this->Output.Store(vertices, batch, this->Kernel->lanes);
       for (int lane = 0; lane < vertices.size(); ++lane)
@@ -97,7 +98,8 @@ void vtkRidgesFitPoints::FitBatches(int ringsAdded, Scratch& scratch)
             this->FitAlone(p, ridges::PointFitter::Growth::Allowed, scratch);
             break;
           default:
-            this->StoreGood(p, ringsAdded, scratch);
+            this->Output.StoreStatus(
+              p, this->Rings.OnBorder(p) ? ridges::FitBoundary : ridges::FitGood);
         }
       }
     });
@@ -117,7 +119,7 @@ void vtkRidgesFitPoints::GrowIllConditioned(Scratch& scratch)
     {
       this->Take(point.id, added, scratch);
     }
-    this->FitBatches(added, scratch);
+    this->FitBatches(scratch);
   }
   points.swap(scratch.illConditioned);
   scratch.illConditioned.clear();
@@ -149,17 +151,6 @@ vtkRidgesFitPoints::Verdict vtkRidgesFitPoints::Judge(
   const bool isSteep =
     scratch.fitter.IsSteep({ first, first + static_cast<int>(batch.counts[lane]) }, normal);
   return isSteep ? Verdict::Odd : Verdict::Good;
-}
-
-void vtkRidgesFitPoints::StoreGood(ridges::Id p, int ringsAdded, Scratch& scratch)
-{
-  this->Output.StoreStatus(p, this->Rings.OnBorder(p) ? ridges::FitBoundary : ridges::FitGood);
-  if (this->Wanted.standardErrors)
-  {
-    // Batches do not keep what errors are made of. All other values stay theirs.
-    const ridges::JetFit fit = scratch.fitter.FitTo(scratch.fitter.Gather(p, ringsAdded));
-    this->Output.StoreErrors(p, ridges::StandardErrors(scratch.fitter.Fitter(), fit));
-  }
 }
 
 void vtkRidgesFitPoints::FitAlone(

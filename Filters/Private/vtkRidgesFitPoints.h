@@ -56,10 +56,9 @@ private:
   };
 
   void Take(ridges::Id p, int ringsAdded, Scratch& scratch);
-  void FitBatches(int ringsAdded, Scratch& scratch);
+  void FitBatches(Scratch& scratch);
   void GrowIllConditioned(Scratch& scratch);
   Verdict Judge(const ridges::JetBatch& batch, int lane, Scratch& scratch) const;
-  void StoreGood(ridges::Id p, int ringsAdded, Scratch& scratch);
   void FitAlone(ridges::Id p, ridges::PointFitter::Growth growth, Scratch& scratch);
   void Store(
     ridges::Id p, const ridges::MongeForm& form, const vtkRidgesMongeOutput::Quality& quality);

@@ -125,6 +125,11 @@ void vtkRidgesMongeOutput::Store(
   Put<1>(this->Residual, points, batch.residual, lanes);
   Put<1>(this->Scale, points, batch.radius, lanes);
   Put<1>(this->NoiseGain, points, batch.noiseGain, lanes);
+  Put<1>(this->MaximumCurvatureError, points, batch.errors, lanes);
+  Put<1>(this->MinimumCurvatureError, points, batch.errors + lanes, lanes);
+  Put<4>(this->ThirdOrderError, points, batch.errors + 2 * lanes, lanes);
+  Put<1>(this->P1Error, points, batch.errors + 6 * lanes, lanes);
+  Put<1>(this->P2Error, points, batch.errors + 7 * lanes, lanes);
 }
 
 void vtkRidgesMongeOutput::StoreErrors(vtkIdType p, const ridges::JetErrors& errors)
