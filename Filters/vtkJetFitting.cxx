@@ -72,7 +72,7 @@ vtkRidgesFitPoints::Settings SettingsOf(vtkJetFitting* filter)
   settings.standardErrors = filter->GetStandardErrors();
   settings.rule.kind = kinds[filter->GetNeighborhood()];
   settings.rule.minimumNumberOfPoints =
-    std::max(filter->GetMinimumNumberOfPoints(), ridges::HeightJet::Size(settings.degree));
+    std::max(filter->GetMinimumNumberOfPoints(), ridges::JetFitter::FewestPoints(settings.degree));
   settings.rule.numberOfRings = filter->GetNumberOfRings();
   settings.rule.radius = filter->GetRadius();
   return settings;
@@ -257,8 +257,7 @@ int vtkJetFitting::RequestData(
   }
   vtkRidgesFitPoints fitPoints(triangles, rings, settings, arrays);
   const double begin = this->Neighborhood == AUTOMATIC ? 0.3 : 0.2;
-  // With errors each point is fitted alone, too.
-  const vtkIdType batch = this->StandardErrors ? 1 << 15 : 1 << 17;
+  const vtkIdType batch = this->Degree > 4 ? 1 << 15 : 1 << 17;
   if (!vtkRidgesForBatches(this, count, begin, 1.0, fitPoints, batch))
   {
     return 1;

@@ -44,8 +44,8 @@
  * Degree - 1, Degree - 2 and Degree - 3 in h, one better on regular samplings. Guarantees: the same
  * bytes for any number of threads, any SMP back end and any numbering; with and without fused
  * multiply-add k, b and P differ by round-off (1e-12, 1e-10 and 1e-10 relative, on clean meshes).
- * No value is NaN: where nothing can be fitted all are 0 and FitStatus is FIT_INVALID. Polygons and
- * strips are triangulated. For composite data and ghosts see Documentation/Arrays.md.
+ * No value is NaN: where nothing fits all are 0 and FitStatus is FIT_INVALID. Polygons and strips
+ * are triangulated. For composite data and ghosts see Documentation/Arrays.md.
  * @warning The triangles must be consistently oriented: flipping the orientation changes the
  * sign of the curvatures and swaps maximum and minimum (k1' = -k2, k2' = -k1).
  * @sa vtkUmbilicDetection vtkRidgeExtraction vtkCurvatures
@@ -93,9 +93,9 @@ public:
 
   ///@{
   /**
-   * Degree of the polynomial, 1 to 4. Default 4: types of ridges need c; even degrees err less.
+   * Degree of the polynomial, 1 to 8; 6 and 8 are more exact and slower. Default 4: ridges need c.
    */
-  vtkSetClampMacro(Degree, int, 1, 4);
+  vtkSetClampMacro(Degree, int, 1, 8);
   vtkGetMacro(Degree, int);
   ///@}
 
@@ -127,9 +127,9 @@ public:
 
   ///@{
   /**
-   * Minimum number of points in a neighbourhood, with the point itself, 3 or more; raised to the
-   * number of coefficients (15 for degree 4). Default 18: two rings of a regular mesh have 19, and
-   * 15 would let the polynomial interpolate. Use more on noisy data.
+   * Minimum number of points in a neighbourhood, itself included; at least 3, raised to 15, 26, 34,
+   * 45, 56 in degrees 4 to 8. Default 18: two rings of a regular mesh have 19, and the 15
+   * coefficients of degree 4 would interpolate. Use more on noisy data.
    */
   vtkSetClampMacro(MinimumNumberOfPoints, int, 3, VTK_INT_MAX);
   vtkGetMacro(MinimumNumberOfPoints, int);
@@ -137,8 +137,8 @@ public:
 
   ///@{
   /**
-   * Number of rings in a neighbourhood, 1 to 1000. Where they have too few points a lower degree
-   * is fitted, and flagged. Default 3: two are enough on a regular mesh only.
+   * Number of rings in a neighbourhood, 1 to 1000. Where they have too few points a lower degree is
+   * fitted, and flagged. Default 3: two are enough on a regular mesh only; four from degree 7 on.
    */
   vtkSetClampMacro(NumberOfRings, int, 1, 1000);
   vtkGetMacro(NumberOfRings, int);
@@ -169,7 +169,7 @@ public:
   /**
    * Whether to output the standard errors caused by noise that is independent from point to point,
    * estimated from the residuals of each fit; -1 if unknown: no fit, too few points, low degree.
-   * Default off: fitting all points again, one by one, takes 25 times as long.
+   * Default off: they take up to half as long again as the fit, and half as many bytes.
    */
   vtkSetMacro(StandardErrors, bool);
   vtkGetMacro(StandardErrors, bool);

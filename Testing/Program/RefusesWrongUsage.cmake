@@ -4,7 +4,7 @@ include("${CMAKE_CURRENT_LIST_DIR}/RunProgram.cmake")
 
 expect_failure(2 "--bogus" --bogus)
 expect_failure(2 "b.off" a.off b.off)
-expect_failure(2 "--degree: 9 is not in the range, 3 to 4" --degree 9)
+expect_failure(2 "--degree: 9 is not in the range, 3 to 8" --degree 9)
 expect_failure(2 "--degree" --degree four)
 expect_failure(2 "--radius: nan" --radius nan)
 expect_failure(2 "--minimum-sharpness" --minimum-sharpness -1)
