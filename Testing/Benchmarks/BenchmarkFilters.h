@@ -10,6 +10,10 @@ namespace benchmarks
 // pipeline; side by side with CGAL on meshes of up to 40k points and with vtkCurvatures.
 void RegisterFilters();
 
+// "Degrees/<what>/<mesh>": the fit by the filter on one thread in degrees 4, 6 and 8, without and
+// with standard errors, and with weights, side by side with CGAL's of the same degree and points.
+void RegisterDegrees();
+
 // "Kernels/<mesh>": gathering, filling and fitting for each instruction set, side by side with
 // CGAL.
 void RegisterKernels();

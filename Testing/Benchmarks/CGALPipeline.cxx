@@ -31,7 +31,6 @@ using Fitter = CGAL::Monge_via_jet_fitting<Kernel>;
 using Scalars = Mesh::Property_map<Vertex, double>;
 using Vectors = Mesh::Property_map<Vertex, Vector>;
 
-constexpr std::size_t PointsOfNeighborhood = 18;
 constexpr std::size_t PointsOfBlock = 256;
 
 } // namespace
@@ -45,6 +44,8 @@ struct CGALPipeline::Data
   std::vector<Vertex> neighborhood;
   std::vector<Point> points;
   std::vector<Minimum> blocks;
+  std::size_t degree = 4;
+  std::size_t pointsOfNeighborhood = 18;
 
   // Whole rings, the vertex first; result in neighborhood.
   void Gather(Vertex vertex)
@@ -52,7 +53,7 @@ struct CGALPipeline::Data
     this->neighborhood.assign(1, vertex);
     this->gathered[vertex] = true;
     std::size_t ringBegin = 0;
-    while (this->neighborhood.size() < PointsOfNeighborhood)
+    while (this->neighborhood.size() < this->pointsOfNeighborhood)
     {
       const std::size_t ringEnd = this->neighborhood.size();
       for (std::size_t i = ringBegin; i < ringEnd; ++i)
@@ -101,7 +102,7 @@ struct CGALPipeline::Data
   {
     this->Gather(vertex);
     Fitter fitter;
-    Fitter::Monge_form form = fitter(this->points.begin(), this->points.end(), 4, 4);
+    Fitter::Monge_form form = fitter(this->points.begin(), this->points.end(), this->degree, 4);
     form.comply_wrt_given_normal(this->Normal(vertex));
     const double max = form.principal_curvatures(0);
     const double min = form.principal_curvatures(1);
@@ -120,10 +121,12 @@ struct CGALPipeline::Data
   }
 };
 
-CGALPipeline::CGALPipeline(vtkPolyData* mesh)
+CGALPipeline::CGALPipeline(vtkPolyData* mesh, int degree, int numberOfPoints)
   : Members(std::make_unique<Data>())
 {
   Data& data = *this->Members;
+  data.degree = static_cast<std::size_t>(degree);
+  data.pointsOfNeighborhood = static_cast<std::size_t>(numberOfPoints);
   for (vtkIdType p = 0; p < mesh->GetNumberOfPoints(); ++p)
   {
     double point[3];
@@ -159,11 +162,18 @@ CGALPipeline::~CGALPipeline() = default;
 
 Times CGALPipeline::Fit(const std::function<void()>& between)
 {
+  return this->FitSome(1, between);
+}
+
+Times CGALPipeline::FitSome(int everyBlock, const std::function<void()>& between)
+{
   Data& data = *this->Members;
   const std::size_t count = data.mesh.number_of_vertices();
-  const std::size_t blocksInTurn = (data.blocks.size() + 9) / 10;
+  const auto step = static_cast<std::size_t>(everyBlock);
+  const std::size_t blocksInTurn = step * ((data.blocks.size() / step + 9) / 10);
   Times sum;
-  for (std::size_t block = 0; block < data.blocks.size(); ++block)
+  std::size_t fitted = 0;
+  for (std::size_t block = 0; block < data.blocks.size(); block += step)
   {
     if (between && block % blocksInTurn == 0)
     {
@@ -180,8 +190,10 @@ Times CGALPipeline::Fit(const std::function<void()>& between)
         }
       });
     sum = sum + data.blocks[block].Get();
+    fitted += end - begin;
   }
-  return sum;
+  const double scale = static_cast<double>(count) / static_cast<double>(fitted);
+  return { scale * sum.wall, scale * sum.thread };
 }
 
 std::size_t CGALPipeline::ExtractRidges() const

@@ -23,7 +23,8 @@ namespace benchmarks
 class CGALPipeline
 {
 public:
-  explicit CGALPipeline(vtkPolyData* mesh);
+  // Whole rings until there are that many points.
+  explicit CGALPipeline(vtkPolyData* mesh, int degree = 4, int numberOfPoints = 18);
   ~CGALPipeline();
   CGALPipeline(const CGALPipeline&) = delete;
   CGALPipeline& operator=(const CGALPipeline&) = delete;
@@ -33,6 +34,9 @@ public:
   // `between`, if given, is run ten times between blocks, for what CGAL is to be compared with: the
   // speed of a shared processor changes within seconds.
   Times Fit(const std::function<void()>& between = {});
+
+  // The same of every so-manieth block of 256 points only, scaled to all.
+  Times FitSome(int everyBlock, const std::function<void()>& between);
 
   // Both colours with types of the fourth order; the number of lines.
   std::size_t ExtractRidges() const;

@@ -27,6 +27,7 @@ int main(int argc, char* argv[])
     benchmark::AddCustomContext(fact.first, fact.second);
   }
   benchmarks::RegisterKernels();
+  benchmarks::RegisterDegrees();
   benchmarks::RegisterFilters();
   benchmark::RunSpecifiedBenchmarks();
   std::cout << "\n| machine | |\n|---|---|\n";

@@ -50,6 +50,36 @@ std::vector<KernelRow>& KernelTable()
   return rows;
 }
 
+std::vector<DegreeRow>& DegreeTable()
+{
+  static std::vector<DegreeRow> rows;
+  return rows;
+}
+
+namespace
+{
+
+void PrintDegrees(std::ostream& out)
+{
+  if (!DegreeTable().empty())
+  {
+    out
+      << "\n| fit | degree | points at least | us/point | with errors | ratio | weighted, us/point "
+         "| with errors | ratio | CGAL, us/point | CGAL / us/point |\n"
+         "|---|---:|---:|---:|---:|---:|---:|---:|---:|---:|---:|\n";
+  }
+  for (const DegreeRow& row : DegreeTable())
+  {
+    out << "| " << row.mesh << " |" << Cell(row.degree, "%.0f") << Cell(row.numberOfPoints, "%.0f")
+        << Cell(row.plain, "%.3f") << Cell(row.errors, "%.3f")
+        << Cell(row.errors / row.plain, "%.2f") << Cell(row.weighted, "%.3f")
+        << Cell(row.weightedErrors, "%.3f") << Cell(row.weightedErrors / row.weighted, "%.2f")
+        << Cell(row.cgal, "%.1f") << Cell(row.cgal / row.plain, "%.0f") << "\n";
+  }
+}
+
+} // namespace
+
 void PrintTables(std::ostream& out)
 {
   if (!StageTable().empty())
@@ -67,6 +97,7 @@ void PrintTables(std::ostream& out)
         << Cell(row.arithmeticSpeedUp, "%.2f") << Cell(row.cgal, "%.2f")
         << Cell(row.cgal / row.oneThread, "%.1f") << Cell(row.vtk, "%.3f") << "\n";
   }
+  PrintDegrees(out);
   if (!KernelTable().empty())
   {
     out

@@ -37,7 +37,21 @@ struct KernelRow
   double cgal = 0.0;
 };
 
+// A fit by the filter on one thread; microseconds per point, and ratios to plain fits.
+struct DegreeRow
+{
+  std::string mesh;
+  int degree = 0;
+  int numberOfPoints = 0;
+  double plain = 0.0;
+  double errors = 0.0;
+  double weighted = 0.0;
+  double weightedErrors = 0.0;
+  double cgal = 0.0;
+};
+
 std::vector<StageRow>& StageTable();
+std::vector<DegreeRow>& DegreeTable();
 std::vector<KernelRow>& KernelTable();
 
 void PrintTables(std::ostream& out);
