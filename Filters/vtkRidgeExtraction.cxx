@@ -9,6 +9,7 @@
 #include "Core/Umbilics/UmbilicForm.h"
 #include "vtkRidgesArrayNames.h"
 #include "vtkRidgesCollect.h"
+#include "vtkRidgesFoldOutput.h"
 #include "vtkRidgesGhosts.h"
 #include "vtkRidgesMongeInput.h"
 #include "vtkRidgesMonitor.h"
@@ -163,12 +164,17 @@ int vtkRidgeExtraction::RequestData(
   std::vector<ridges::RidgeTrace> red;
   vtkRidgesZoneOutput zones;
   const bool findsPurple = this->FindPurplePoints && !gaussian;
-  const auto extract = [this, &search, &lines, findsPurple](ridges::Color color, double from,
-                         double to, std::vector<ridges::RidgeTrace>& found, vtkRidgesZones& zone)
+  vtkRidgesFoldOutput folds(monge);
+  const auto extract = [this, &search, &lines, &folds, findsPurple](ridges::Color color,
+                         double from, double to, std::vector<ridges::RidgeTrace>& found,
+                         vtkRidgesZones& zone)
   {
-    const double middle = from + 0.9 * (to - from);
+    const double middle = from + 0.8 * (to - from);
+    const double end = from + 0.9 * (to - from);
     if (!search.Find(this, color, from, middle, found, &zone) ||
-      !lines.AddRidges(found, vtkRidgesMonitor(this, middle, to)))
+      (this->ComputeFoldAngle && !folds.Measure(this, middle, end, found)) ||
+      !lines.AddRidges(
+        found, this->ComputeFoldAngle ? &folds.Get() : nullptr, vtkRidgesMonitor(this, end, to)))
     {
       return false;
     }
@@ -186,7 +192,11 @@ int vtkRidgeExtraction::RequestData(
   {
     return 1;
   }
-  lines.Store(output, field.HasFourthOrder());
+  lines.Store(output, field.HasFourthOrder(), this->ComputeFoldAngle);
+  if (this->ComputeFoldAngle)
+  {
+    folds.StoreNoiseFloor(output);
+  }
   zones.MarkOnMesh(mesh, vtkPolyData::GetData(outputVector, 2));
   zones.StoreNumber(output);
   const std::string warning = zones.Warning();
@@ -216,6 +226,7 @@ void vtkRidgeExtraction::PrintSelf(ostream& os, vtkIndent indent)
      << "ExtremalityRule: " << (this->ExtremalityRule == PRINCIPAL ? "Principal" : "Gaussian")
      << "\n";
   os << indent << "FindPurplePoints: " << onOff(this->FindPurplePoints);
+  os << indent << "ComputeFoldAngle: " << onOff(this->ComputeFoldAngle);
   os << indent << "CrossingRule: " << (this->CrossingRule == FORM ? "Form" : "Linear") << "\n";
   os << indent << "UmbilicJoining: " << (this->UmbilicJoining == PATCHES ? "Patches" : "Triangles")
      << "\n";

@@ -4,27 +4,25 @@
  * @class   vtkRidgeExtraction
  * @brief   extract the ridges (crest lines) of a mesh with Monge arrays
  *
- * On a blue ridge the maximum principal curvature k1 has an extremum along its own curvature line,
- * on a red ridge the minimum curvature k2 has one. Elliptic ridges are maxima of k1 or minima of
- * k2; hyperbolic ridges are the other extrema.
+ * On a blue ridge the maximum curvature k1 has an extremum along its own curvature line, on a red
+ * ridge the minimum curvature k2 has one; maxima of k1 and minima of k2 are elliptic ridges, the
+ * others hyperbolic. Method: RR-5294, sections 5 and 6. A ridge crosses an edge if b0 (blue) or b3
+ * (red) changes sign along it, with the principal directions at its ends turned to an acute angle.
+ * Crossings are joined inside triangles, and at umbilics according to UmbilicJoining
+ * (Documentation/Theory.md).
  *
- * Method: RR-5294, sections 5 and 6. A ridge crosses an edge if b0 (blue) or b3 (red) changes sign
- * along it, with the principal directions at its ends turned to an acute angle. Crossings are
- * joined inside triangles, and at umbilics according to UmbilicJoining (Documentation/Theory.md).
- *
- * Input: a mesh with the arrays of vtkJetFitting (FourthOrder, or else P1 and P2, are needed by the
+ * Input: a mesh with the arrays of vtkJetFitting (FourthOrder, or else P1 and P2, for the
  * fourth-order type rule only) and, if wanted, the marks of vtkUmbilicDetection. Triangles of
- * points that FitStatus marks as invalid are left out. For arrays of other names, composite data
- * and ghosts see Documentation/Arrays.md.
+ * points with an invalid FitStatus are left out. Other array names: see Documentation/Arrays.md.
  *
- * Output port 0: a polyline per run of one type of a ridge. Consecutive polylines of one ridge
- * share their end point and RidgeId. Arrays: on cells RidgeType (see RidgeTypes), Crest, Closed,
- * RidgeId, Length, Strength and, of fourth order, Sharpness; on points Curvature, SecondDerivative
- * (fourth order), Umbilic, TurningPoint, EdgePoint0, EdgePoint1 and EdgeParameter.
+ * Output port 0: a polyline per run of one type of a ridge. Consecutive ones of one ridge share
+ * their end point and RidgeId. Arrays: on cells RidgeType (see RidgeTypes), Crest, Closed, RidgeId,
+ * Length, Strength and, of fourth order, Sharpness; on points Curvature, SecondDerivative (fourth
+ * order), Umbilic, TurningPoint, EdgePoint0, EdgePoint1 and EdgeParameter. ComputeFoldAngle adds
+ * FoldAngle on points and cells, FoldWidth on points, and NoiseFloor in field data.
  *
  * Output port 1, if FindPurplePoints is on: a vertex per purple point, with the point arrays
  * MaximumRidgeId and MinimumRidgeId of the ridges that cross there, and Triangle, the mesh's cell.
- *
  * Output port 2: the mesh. Its cell array RidgeZone has, for maximum and minimum ridges, the number
  * of the region in which they were left out, or -1 (see ZoneSignificance). The field array
  * NumberOfRidgeZones is on port 0, too.
@@ -59,7 +57,6 @@ public:
     MINIMUM_ELLIPTIC = 3,   ///< red
     MINIMUM_HYPERBOLIC = 4  ///< yellow
   };
-
   /// See SetTypeRule, SetExtremalityRule, SetCrossingRule and SetUmbilicJoining.
   enum TypeRules
   {
@@ -86,8 +83,8 @@ public:
   /**
    * Whether to extract ridges of the maximum curvature (blue and green) and of the minimum
    * curvature (red and yellow), default on; only crest lines, the visually salient part of elliptic
-   * ridges, default off; on port 1 the points where blue ridges cross red ones, default off: few
-   * need them.
+   * ridges, default off; on port 1 the points where blue ridges cross red ones, and by how much the
+   * surface folds across elliptic ridges (Documentation/Theory.md), default off: few need them.
    */
   vtkSetMacro(ExtractMaximum, bool);
   vtkGetMacro(ExtractMaximum, bool);
@@ -101,6 +98,9 @@ public:
   vtkSetMacro(FindPurplePoints, bool);
   vtkGetMacro(FindPurplePoints, bool);
   vtkBooleanMacro(FindPurplePoints, bool);
+  vtkSetMacro(ComputeFoldAngle, bool);
+  vtkGetMacro(ComputeFoldAngle, bool);
+  vtkBooleanMacro(ComputeFoldAngle, bool);
   ///@}
 
   ///@{
@@ -135,10 +135,8 @@ public:
   ///@}
 
   ///@{
-  /**
-   * How ridges are joined to umbilics: in patches (section 6.3), or in all singular triangles
-   * (section 6.2). Default PATCHES: triangles near umbilics are unreliable.
-   */
+  /// How ridges are joined to umbilics: in patches (section 6.3), or in all singular triangles
+  /// (section 6.2). Default PATCHES: triangles near umbilics are unreliable.
   vtkSetClampMacro(UmbilicJoining, int, PATCHES, TRIANGLES);
   vtkGetMacro(UmbilicJoining, int);
   void SetUmbilicJoiningToPatches() { this->SetUmbilicJoining(PATCHES); }
@@ -190,6 +188,7 @@ protected:
   double ZoneSignificance = 3.0;
   double TypeHysteresis = 0.0;
   bool FindPurplePoints = false;
+  bool ComputeFoldAngle = false;
   double ModelSize = 0.0;
   double UmbilicCutOff = 0.01;
 

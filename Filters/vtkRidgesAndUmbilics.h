@@ -105,6 +105,8 @@ public:
   vtkRidgesStagePropertyMacro(LoopSignificance, double);
   vtkRidgesStagePropertyMacro(ZoneSignificance, double);
   vtkRidgesStagePropertyMacro(TypeHysteresis, double);
+  vtkRidgesStagePropertyMacro(ComputeFoldAngle, bool);
+  vtkBooleanMacro(ComputeFoldAngle, bool);
   vtkRidgesStagePropertyMacro(ModelSize, double);
   vtkRidgesStagePropertyMacro(UmbilicCutOff, double);
   ///@}

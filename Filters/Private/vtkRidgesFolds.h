@@ -3,7 +3,8 @@
 #ifndef vtkRidgesFolds_h
 #define vtkRidgesFolds_h
 
-#include "Core/Salience/SalientSelection.h"
+#include "Core/Ridges/RidgeTrace.h"
+#include "Core/Salience/FoldAngle.h"
 #include "vtkRidgesCompatibility.h"
 
 #include <vector>

@@ -8,6 +8,7 @@
 
 #include "vtkCellData.h"
 #include "vtkIdList.h"
+#include "vtkMath.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 
@@ -56,6 +57,17 @@ Id TriangleOfPiece(const ridges::RidgeTrace& ridge, Id i, const ridges::Triangle
   return common != atStart.end() ? *common : (atEnd.size() == 1 ? atEnd : atStart).front();
 }
 
+/// In degrees; 0 on a run that is not elliptic, which may begin or end where an elliptic one does.
+double LargestAngle(const ridges::RidgeFolds& folds, const ridges::RidgeRun& run, bool isElliptic)
+{
+  double largest = 0.0;
+  for (Id i = run.first; isElliptic && i <= run.last; ++i)
+  {
+    largest = std::max(largest, folds[i].angle);
+  }
+  return vtkMath::DegreesFromRadians(largest);
+}
+
 } // namespace
 
 vtkRidgesPolylines::vtkRidgesPolylines(const vtkRidgesMesh& mesh,
@@ -80,10 +92,13 @@ vtkRidgesPolylines::vtkRidgesPolylines(const vtkRidgesMesh& mesh,
   this->EdgePoint0->SetName(names::EdgePoint0);
   this->EdgePoint1->SetName(names::EdgePoint1);
   this->EdgeParameter->SetName(names::EdgeParameter);
+  this->FoldAngle->SetName(names::FoldAngle);
+  this->FoldWidth->SetName(names::FoldWidth);
+  this->LargestFoldAngle->SetName(names::FoldAngle);
 }
 
-bool vtkRidgesPolylines::AddRidges(
-  const std::vector<ridges::RidgeTrace>& ridges, const ridges::Monitor& monitor)
+bool vtkRidgesPolylines::AddRidges(const std::vector<ridges::RidgeTrace>& ridges,
+  const std::vector<ridges::RidgeFolds>* folds, const ridges::Monitor& monitor)
 {
   for (std::size_t i = 0; i < ridges.size(); ++i)
   {
@@ -92,21 +107,21 @@ bool vtkRidgesPolylines::AddRidges(
     {
       return false;
     }
-    this->AddRidge(ridges[i]);
+    this->AddRidge(ridges[i], folds ? &(*folds)[i] : nullptr);
   }
   return true;
 }
 
-void vtkRidgesPolylines::AddRidge(const ridges::RidgeTrace& ridge)
+void vtkRidgesPolylines::AddRidge(const ridges::RidgeTrace& ridge, const ridges::RidgeFolds* folds)
 {
   std::vector<vtkIdType> ids(ridge.vertices.size(), -1);
-  const auto idOf = [this, &ids, &ridge](Id i)
+  const auto idOf = [this, &ids, &ridge, folds](Id i)
   {
     // A loop comes back to its first point.
     const Id slot = ridge.closed && i + 1 == static_cast<Id>(ids.size()) ? 0 : i;
     if (ids[slot] < 0)
     {
-      ids[slot] = this->InsertVertex(ridge.vertices[slot]);
+      ids[slot] = this->InsertVertex(ridge.vertices[slot], folds ? &(*folds)[slot] : nullptr);
     }
     return ids[slot];
   };
@@ -152,6 +167,10 @@ void vtkRidgesPolylines::AddRidge(const ridges::RidgeTrace& ridge)
     this->Length->InsertNextValue(measures.length);
     this->RidgeId->InsertNextValue(ridgeId);
     this->Closed->InsertNextValue(ridge.closed ? 1 : 0);
+    if (folds)
+    {
+      this->LargestFoldAngle->InsertNextValue(LargestAngle(*folds, run, ridges::IsElliptic(type)));
+    }
   }
 }
 
@@ -183,7 +202,8 @@ std::vector<ridges::RidgeRun> vtkRidgesPolylines::OwnedRunsOf(const ridges::Ridg
   return owned;
 }
 
-vtkIdType vtkRidgesPolylines::InsertVertex(const ridges::RidgeVertex& vertex)
+vtkIdType vtkRidgesPolylines::InsertVertex(
+  const ridges::RidgeVertex& vertex, const ridges::Fold* fold)
 {
   const ridges::RidgePoint& point = vertex.point;
   vtkIdType umbilic = -1;
@@ -218,10 +238,15 @@ vtkIdType vtkRidgesPolylines::InsertVertex(const ridges::RidgeVertex& vertex)
   this->EdgePoint0->InsertNextValue(edgePoints[0]);
   this->EdgePoint1->InsertNextValue(edgePoints[1]);
   this->EdgeParameter->InsertNextValue(point.parameter);
+  if (fold)
+  {
+    this->FoldAngle->InsertNextValue(vtkMath::DegreesFromRadians(fold->angle));
+    this->FoldWidth->InsertNextValue(fold->width);
+  }
   return this->Points->InsertNextPoint(point.position.data());
 }
 
-void vtkRidgesPolylines::Store(vtkPolyData* output, bool hasFourthOrder)
+void vtkRidgesPolylines::Store(vtkPolyData* output, bool hasFourthOrder, bool hasFolds)
 {
   output->SetPoints(this->Points);
   output->SetLines(this->Lines);
@@ -246,5 +271,11 @@ void vtkRidgesPolylines::Store(vtkPolyData* output, bool hasFourthOrder)
   {
     cellData->AddArray(this->Sharpness);
     pointData->AddArray(this->SecondDerivative);
+  }
+  if (hasFolds)
+  {
+    cellData->AddArray(this->LargestFoldAngle);
+    pointData->AddArray(this->FoldAngle);
+    pointData->AddArray(this->FoldWidth);
   }
 }

@@ -6,6 +6,7 @@
 #include "Core/Base/Monitor.h"
 #include "Core/Ridges/RidgeMeasures.h"
 #include "Core/Ridges/RidgeTrace.h"
+#include "Core/Salience/FoldAngle.h"
 #include "vtkRidgesCompatibility.h"
 
 #include "vtkCellArray.h"
@@ -37,15 +38,17 @@ public:
 
   void SetCrestOnly(bool crestOnly) { this->CrestOnly = crestOnly; }
 
-  /// The runs of one type of ridges become polylines. False if the monitor stopped it.
-  bool AddRidges(const std::vector<ridges::RidgeTrace>& ridges, const ridges::Monitor& monitor);
+  /// The runs of one type of ridges become polylines, with the folds at their vertices if these are
+  /// given, for all ridges or for none. False if the monitor stopped it.
+  bool AddRidges(const std::vector<ridges::RidgeTrace>& ridges,
+    const std::vector<ridges::RidgeFolds>* folds, const ridges::Monitor& monitor);
 
-  void Store(vtkPolyData* output, bool hasFourthOrder);
+  void Store(vtkPolyData* output, bool hasFourthOrder, bool hasFolds);
 
 private:
-  void AddRidge(const ridges::RidgeTrace& ridge);
+  void AddRidge(const ridges::RidgeTrace& ridge, const ridges::RidgeFolds* folds);
   std::vector<ridges::RidgeRun> OwnedRunsOf(const ridges::RidgeTrace& ridge) const;
-  vtkIdType InsertVertex(const ridges::RidgeVertex& vertex);
+  vtkIdType InsertVertex(const ridges::RidgeVertex& vertex, const ridges::Fold* fold);
 
   const vtkRidgesMesh& Mesh;
   const vtkRidgesUmbilicMarks& Umbilics;
@@ -61,6 +64,7 @@ private:
   vtkNew<vtkIntArray> RidgeType, Crest, Closed, TurningPoint;
   vtkNew<vtkIdTypeArray> RidgeId, Umbilic, EdgePoint0, EdgePoint1;
   vtkNew<vtkDoubleArray> Sharpness, Strength, Length, Curvature, SecondDerivative, EdgeParameter;
+  vtkNew<vtkDoubleArray> FoldAngle, FoldWidth, LargestFoldAngle; ///< Empty without folds.
 };
 
 #endif

@@ -172,6 +172,7 @@ TEST(RidgesAndUmbilics, ForwardsEveryProperty)
   EXPECT_FORWARDED(ridges, UmbilicJoining, vtkRidgeExtraction::TRIANGLES);
   EXPECT_FORWARDED(ridges, LoopSignificance, 100.0);
   EXPECT_FORWARDED(ridges, TypeHysteresis, 10.0);
+  EXPECT_FORWARDED(ridges, ComputeFoldAngle, true);
   EXPECT_FORWARDED(ridges, ModelSize, 3.0);
   EXPECT_FORWARDED(ridges, UmbilicCutOff, 0.1);
   EXPECT_FORWARDED(selection, MinimumSharpness, 10.0);

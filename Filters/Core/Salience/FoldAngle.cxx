@@ -33,6 +33,7 @@ Fold FoldMeter::Measure(Color color, Id edge, const Eigen::Vector3d& point)
   fold.angle = left.angle + right.angle;
   fold.width = left.width + right.width;
   fold.height = peak - foot;
+  fold.foot = foot;
   return fold;
 }
 
@@ -52,8 +53,18 @@ double FoldMeter::Walk(
   samples.push_back({ 0.0, least });
   while (arc < this->Rule_.reach && this->Walk_.Step())
   {
-    arc += this->Walk_.StepLength();
-    const double f = sign * this->Walk_.Curvature();
+    const double step = this->Walk_.StepLength();
+    double f = sign * this->Walk_.Curvature();
+    if (arc + step > this->Rule_.reach)
+    {
+      // As far as the reach only: the foot must not depend on where the last triangle ends.
+      f = samples.back().f + (this->Rule_.reach - arc) / step * (f - samples.back().f);
+      arc = this->Rule_.reach;
+    }
+    else
+    {
+      arc += step;
+    }
     if (f > own)
     {
       if (arc > this->Rule_.slack)

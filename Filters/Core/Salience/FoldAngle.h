@@ -17,7 +17,11 @@ struct Fold
   double width =
     0.0; ///< Of the stretch that folds, along the curvature line, in the unit of the points.
   double height = 0.0; ///< Curvature at the ridge less that at the foot of its feature.
+  double foot = 0.0;   ///< That at the foot.
 };
+
+/// Folds at the vertices of a ridge; those that are not at edges with an elliptic piece have none.
+using RidgeFolds = std::vector<Fold>;
 
 /// How folds are measured. Lengths are in the unit of the points.
 struct FoldRule

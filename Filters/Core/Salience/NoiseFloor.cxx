@@ -116,6 +116,25 @@ double NormalNoise(const Eigen::Vector3d& point)
   return radius * std::cos(2.0 * EIGEN_PI * Uniform(Mixed(hash)));
 }
 
+double MedianCurvatureError(const TriangleMesh& mesh, const FitErrorSource& source)
+{
+  std::vector<double> errors;
+  for (Id p = 0; p < mesh.NumberOfPoints(); ++p)
+  {
+    if (mesh.TrianglesAround(p).size() > 0)
+    {
+      errors.push_back(GapError(mesh, source, p));
+    }
+  }
+  if (errors.empty())
+  {
+    return 0.0;
+  }
+  const auto middle = errors.begin() + static_cast<std::ptrdiff_t>(errors.size() / 2);
+  std::nth_element(errors.begin(), middle, errors.end());
+  return std::isfinite(*middle) ? *middle / std::sqrt(2.0) : 0.0; // k1 and k2 have half of it each
+}
+
 double CurvatureDeviation(
   const TriangleMesh& mesh, const MongeField& field, const MongeField& noisy)
 {

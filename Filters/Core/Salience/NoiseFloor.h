@@ -3,6 +3,7 @@
 #ifndef ridges_NoiseFloor_h
 #define ridges_NoiseFloor_h
 
+#include "Fit/FitErrors.h"
 #include "Mesh/OrderedRings.h"
 #include "Monge/AcuteRule.h"
 
@@ -46,6 +47,10 @@ double NormalNoise(const Eigen::Vector3d& point);
  */
 double CurvatureDeviation(
   const TriangleMesh& mesh, const MongeField& field, const MongeField& noisy);
+
+/// The standard error of a curvature at the median point with triangles, as far as the fits let it
+/// be known; 0 for fields without errors, as exact ones.
+double MedianCurvatureError(const TriangleMesh& mesh, const FitErrorSource& source);
 
 } // namespace ridges
 

@@ -33,9 +33,6 @@ struct SalientLine
   double confidence = 0.0; ///< Share of the length that is elliptic and above the floor.
 };
 
-/// Folds at the vertices of a ridge; those that are not at edges with an elliptic piece have none.
-using RidgeFolds = std::vector<Fold>;
-
 /**
  * The salient parts of ridges of one colour: hysteresis along whole ridges. Pieces that are
  * elliptic with the weak angle at both ends are joined, gaps bridged, and what is left is kept if

@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkRidges contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkRidgesFoldOutput.h"
+
+#include "Core/Mesh/EnclosingSphere.h"
+#include "Core/Salience/NoiseFloor.h"
+#include "Core/Salience/TensorSmoothing.h"
+#include "vtkRidgesArrayNames.h"
+#include "vtkRidgesFieldData.h"
+#include "vtkRidgesFolds.h"
+#include "vtkRidgesMongeInput.h"
+
+#include "vtkDoubleArray.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+namespace names = vtkRidgesArrayNames;
+
+/// Walks go a quarter of the model far: features are not larger, and slow bends of the whole body
+/// do not count.
+ridges::FoldRule vtkRidgesFoldOutput::MakeRule() const
+{
+  constexpr double reach = 0.25;
+  const ridges::TriangleMesh& mesh = this->Monge.mesh.GetTriangles();
+  ridges::FoldRule rule;
+  rule.reach = reach * 2.0 * ridges::SmallestEnclosingSphere(mesh).radius;
+  // Between points curvature is linear, and a fit smooths it: its peak and the zero of its
+  // derivative lie within this distance of each other.
+  rule.slack = mesh.MeanEdgeLength();
+  if (const double* scale = this->Monge.arrays.GetErrors().fitScale)
+  {
+    std::vector<double> scales;
+    std::copy_if(scale, scale + mesh.NumberOfPoints(), std::back_inserter(scales),
+      [](double value) { return std::isfinite(value); });
+    const auto middle = scales.begin() + static_cast<std::ptrdiff_t>(scales.size() / 2);
+    std::nth_element(scales.begin(), middle, scales.end());
+    if (middle != scales.end())
+    {
+      rule.slack = std::max(rule.slack, ridges::SmoothingPlan::SigmaPerRadius * *middle);
+    }
+  }
+  return rule;
+}
+
+bool vtkRidgesFoldOutput::Measure(
+  vtkAlgorithm* filter, double from, double to, const std::vector<ridges::RidgeTrace>& ridges)
+{
+  const ridges::FoldRule rule = this->MakeRule();
+  return vtkRidgesMeasureFolds(filter, from, to, this->Monge.mesh.GetTriangles(),
+    this->Monge.arrays.GetField(), rule, ridges, this->Folds);
+}
+
+void vtkRidgesFoldOutput::StoreNoiseFloor(vtkPolyData* output) const
+{
+  vtkDataArray* given = this->Monge.mesh.GetPolyData()->GetFieldData()->GetArray(names::NoiseFloor);
+  const bool hasFloor =
+    given && given->GetNumberOfTuples() == 1 && given->GetNumberOfComponents() == 1;
+  vtkNew<vtkDoubleArray> floor;
+  floor->SetName(names::NoiseFloor);
+  floor->InsertNextValue(hasFloor ? given->GetComponent(0, 0)
+                                  : ridges::MedianCurvatureError(this->Monge.mesh.GetTriangles(),
+                                      this->Monge.arrays.GetErrors()));
+  vtkRidgesOwnFieldData(output)->AddArray(floor);
+}
