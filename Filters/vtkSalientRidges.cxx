@@ -5,7 +5,9 @@
 #include "Core/Fit/ScaleSelection.h"
 #include "Core/Mesh/EnclosedVolume.h"
 #include "Core/Mesh/EnclosingSphere.h"
+#include "Core/Salience/FoldEvening.h"
 #include "Core/Salience/NoiseFloor.h"
+#include "Core/Salience/TensorSmoothing.h"
 #include "vtkJetFitting.h"
 #include "vtkMongeSmoothing.h"
 #include "vtkRidgesArrayNames.h"
@@ -33,6 +35,7 @@
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
 #include <array>
 #include <string>
 #include <vector>
@@ -48,6 +51,22 @@ namespace
 /// How far walks across ridges go at most, in units of the scale. Farther than eight there is
 /// hardly a feature of that scale left, and slow bends of the whole body would count as folds.
 constexpr double Reach = 8.0;
+
+/// What curvature at a ridge exceeds that at the foot by, as a part of itself.
+constexpr double LeastRise = 0.15;
+
+/// Where edges are longer than this part of the scale, fits to two rings are wider than it: there
+/// one ring has to do. So a coarse mesh has nearly the same lines as a fine one.
+constexpr double LongestEdgeForTwoRings = 0.64;
+constexpr int PointsOfTwoRings = 18;
+constexpr int PointsOfOneRing = 7;
+
+/// What noise asks for in addition, in units of the angle by which it folds the surface. The larger
+/// folds that noise adds to true ones count less; and a line must exceed what noise alone makes on
+/// spheres, planes, cylinders, cones and tori.
+constexpr double NoiseInAngle = 0.6;
+constexpr double LeastAngleOverNoise = 7.0;
+constexpr double LeastWeakAngleOverNoise = 4.2;
 
 void SetFieldValue(vtkPolyData* data, const char* name, double value)
 {
@@ -102,6 +121,9 @@ public:
     return fitted ? this->Run(stages.smoothing, fitted, 0.5 * (from + to), to) : nullptr;
   }
 
+  /// Chooses the neighbourhoods of fits by how coarse the mesh is against the scale.
+  void ChooseNeighborhoods(vtkPolyData* input);
+
   /// The deviation of curvatures that is due to noise; false where the user aborted.
   bool FindNoiseFloor(vtkPolyData* smoothed, double& floor);
 
@@ -119,6 +141,9 @@ private:
   bool FindColor(ridges::Color color, const vtkRidgesSearch& search,
     const vtkRidgesMongeInput& monge, const ridges::FoldRule& rule, double from,
     std::vector<ridges::RidgeTrace>& found, std::vector<ridges::RidgeFolds>& folds);
+  static double ScaleReached(const vtkRidgesMongeInput& monge);
+  ridges::SalientRule MakeRule(
+    const vtkRidgesMongeInput& monge, double floor, double diameter) const;
 
   vtkSalientRidges* Filter;
   double From = 0.0; ///< Progress of the stage that runs.
@@ -167,6 +192,27 @@ vtkPolyData* vtkSalientRidges::vtkInternals::Run(
     return nullptr;
   }
   return this->errorText.empty() ? stage->GetOutput() : nullptr;
+}
+
+void vtkSalientRidges::vtkInternals::ChooseNeighborhoods(vtkPolyData* input)
+{
+  vtkRidgesMesh mesh;
+  if (!mesh.Build(input).empty())
+  {
+    return; // the fit reports it
+  }
+  const ridges::TriangleMesh& triangles = mesh.GetTriangles();
+  const double scale =
+    this->Filter->RelativeScale * 2.0 * ridges::SmallestEnclosingSphere(triangles).radius;
+  const bool isCoarse = triangles.MeanEdgeLength() > LongestEdgeForTwoRings * scale;
+  for (FieldStages* field : { &this->cleanField, &this->noisyField })
+  {
+    field->jets->SetMinimumNumberOfPoints(isCoarse ? PointsOfOneRing : PointsOfTwoRings);
+  }
+  if (mesh.GetPolyData() == input)
+  {
+    mesh.HandOnWith(input);
+  }
 }
 
 bool vtkSalientRidges::vtkInternals::FindNoiseFloor(vtkPolyData* smoothed, double& floor)
@@ -228,9 +274,49 @@ bool vtkSalientRidges::vtkInternals::FindColor(ridges::Color color, const vtkRid
   const vtkRidgesMongeInput& monge, const ridges::FoldRule& rule, double from,
   std::vector<ridges::RidgeTrace>& found, std::vector<ridges::RidgeFolds>& folds)
 {
-  return search.Find(this->Filter, color, from, from + 0.05, found) &&
-    vtkRidgesMeasureFolds(this->Filter, from + 0.05, from + 0.15, monge.mesh.GetTriangles(),
-      monge.arrays.GetField(), rule, found, folds);
+  if (!search.Find(this->Filter, color, from, from + 0.05, found) ||
+    !vtkRidgesMeasureFolds(this->Filter, from + 0.05, from + 0.15, monge.mesh.GetTriangles(),
+      monge.arrays.GetField(), rule, found, folds))
+  {
+    return false;
+  }
+  for (std::size_t i = 0; i < found.size(); ++i)
+  {
+    ridges::EvenFolds(found[i], rule.slack, LeastRise, folds[i]); // over the scale
+  }
+  return true;
+}
+
+/// At the median point of the mesh.
+double vtkSalientRidges::vtkInternals::ScaleReached(const vtkRidgesMongeInput& monge)
+{
+  const double* scale = monge.arrays.GetErrors().fitScale;
+  std::vector<double> scales(
+    scale, scale + (scale ? monge.mesh.GetTriangles().NumberOfPoints() : 0));
+  if (scales.empty())
+  {
+    return 0.0;
+  }
+  const auto middle = scales.begin() + static_cast<std::ptrdiff_t>(scales.size() / 2);
+  std::nth_element(scales.begin(), middle, scales.end());
+  return ridges::SmoothingPlan::SigmaPerRadius * *middle;
+}
+
+ridges::SalientRule vtkSalientRidges::vtkInternals::MakeRule(
+  const vtkRidgesMongeInput& monge, double floor, double diameter) const
+{
+  const vtkSalientRidges& filter = *this->Filter;
+  const double angle = vtkMath::RadiansFromDegrees(filter.FoldAngle);
+  const double noise = filter.NoiseFactor * floor * ScaleReached(monge);
+  ridges::SalientRule rule;
+  rule.angle = std::max(angle + NoiseInAngle * noise, LeastAngleOverNoise * noise);
+  rule.weakAngle =
+    std::max(filter.Hysteresis * angle + NoiseInAngle * noise, LeastWeakAngleOverNoise * noise);
+  rule.longestGap = filter.LongestGap * filter.RelativeScale * diameter;
+  rule.leastMass = filter.LeastMass * diameter * angle;
+  rule.floor = filter.NoiseFactor * floor;
+  rule.crestOnly = filter.CrestOnly;
+  return rule;
 }
 
 bool vtkSalientRidges::vtkInternals::FindLines(
@@ -255,14 +341,7 @@ bool vtkSalientRidges::vtkInternals::FindLines(
   ridges::FoldRule folding;
   folding.reach = Reach * scale;
   folding.slack = scale;
-  folding.floor = this->Filter->NoiseFactor * floor;
-  ridges::SalientRule rule;
-  rule.angle = vtkMath::RadiansFromDegrees(this->Filter->FoldAngle);
-  rule.weakAngle = this->Filter->Hysteresis * rule.angle;
-  rule.longestGap = this->Filter->LongestGap * scale;
-  rule.leastMass = this->Filter->LeastMass * diameter * rule.angle;
-  rule.floor = folding.floor;
-  rule.crestOnly = this->Filter->CrestOnly;
+  const ridges::SalientRule rule = this->MakeRule(monge, floor, diameter);
 
   std::array<std::vector<ridges::RidgeTrace>, 2> found;
   std::array<std::vector<ridges::RidgeFolds>, 2> folds;
@@ -315,6 +394,7 @@ int vtkSalientRidges::RequestData(
 
   vtkNew<vtkPolyData> copy; // a pipeline of its own must not leave its marks on the input
   copy->ShallowCopy(input);
+  stages.ChooseNeighborhoods(copy);
   vtkPolyData* smoothed = stages.Smooth(stages.cleanField, copy, 0.0, 0.4);
   double floor = 0.0;
   const bool hasFloor = !smoothed || this->NoiseFactor == 0.0 ||

@@ -35,8 +35,9 @@
  * Method: vtkJetFitting with degree two, vtkMongeSmoothing to the scale, vtkUmbilicDetection, and
  * the ridges of the smoothed field. At each point of an elliptic ridge the surface is followed
  * along the curvature line across it, and the fold angle is the integral of the curvature above
- * that at the foot of the feature. Hysteresis along whole ridges selects lines. What noise would
- * fold, estimated from the fits' residuals and one repetition with noise added, does not count.
+ * that at the foot of the feature, averaged along the ridge over the scale. Hysteresis along whole
+ * ridges selects lines. By what noise would fold, estimated from the fits' residuals and one
+ * repetition with noise added, a line has to fold more.
  * Guarantees: the same bytes for any number of threads, any SMP back end and any numbering of
  * points and cells.
  *
@@ -128,8 +129,11 @@ public:
 
   ///@{
   /**
-   * How many standard deviations of the curvature that is due to noise have to be exceeded, 0 or
-   * more; with 0 noise is not estimated, which saves half of the time. Default 3.
+   * How many standard deviations of the curvature that is due to noise count as its height, 0 or
+   * more; over the scale that makes the angle by which noise folds the surface. Angles of lines
+   * exceed FoldAngle by 0.6 of it, and are at least seven times as large. With 0 noise is not
+   * estimated, which saves half of the time. Default 3: spheres, planes, cylinders, cones and tori
+   * with noise have no lines then.
    */
   vtkSetClampMacro(NoiseFactor, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(NoiseFactor, double);

@@ -211,8 +211,8 @@ TEST(ExactFolds, BothWaysOfIntegrationAgree)
     const Vector3d point(A * std::cos(t), B * std::sin(t), 0.0);
     const double expected = EllipsoidRimFold(A, B, C, point, 0.6);
     // Trapezoids of 0.006 under a curvature that changes within about 0.3.
-    EXPECT_NEAR(SurfaceFold(MakeEllipsoid(A, B, C), false, point, 0.6, 0.006), expected,
-      1e-3 * expected);
+    EXPECT_NEAR(
+      SurfaceFold(MakeEllipsoid(A, B, C), false, point, 0.6, 0.006), expected, 1e-3 * expected);
   }
 }
 
@@ -319,7 +319,8 @@ TEST(RidgeFoldAngle, IsStoredOnRequest)
 // directions that turn from point to point.
 TEST(RidgeFoldAngle, IsFiniteOnBadMeshes)
 {
-  ridges::testing::Mesh bad = GraphPatch([](double x, double y) { return x * x * y; }, 1.0, 20, 0.2);
+  ridges::testing::Mesh bad =
+    GraphPatch([](double x, double y) { return x * x * y; }, 1.0, 20, 0.2);
   bad.SetPoint(30, bad.Point(31)); // triangles without area
   const auto mesh = ToPolyData(bad);
   AddRandomMongeArrays(mesh, 7);

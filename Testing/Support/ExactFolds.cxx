@@ -18,10 +18,9 @@ using Eigen::Vector3d;
 // With the roots c^2 <= mu <= b^2 <= nu <= a^2 of
 //   x^2 / (a^2 - t) + y^2 / (b^2 - t) + z^2 / (c^2 - t) = 1
 // the normal curvature along a line nu = const is a b c / sqrt(mu^3 nu), and with
-// mu = c^2 + (b^2 - c^2) sin^2(angle) its length is ds = sqrt((nu - mu) mu / (a^2 - mu)) dangle. The
-// rim is mu = c^2, and the curvature falls until the line meets the plane y = 0 at mu = b^2.
-double EllipsoidRimFold(
-  double a, double b, double c, const Vector3d& pointOfRim, double reach)
+// mu = c^2 + (b^2 - c^2) sin^2(angle) its length is ds = sqrt((nu - mu) mu / (a^2 - mu)) dangle.
+// The rim is mu = c^2, and the curvature falls until the line meets the plane y = 0 at mu = b^2.
+double EllipsoidRimFold(double a, double b, double c, const Vector3d& pointOfRim, double reach)
 {
   // On the rim, b^2 <= nu: x = a sqrt((a^2 - nu) / (a^2 - b^2)).
   const double cosine = pointOfRim[0] / a;
@@ -101,8 +100,8 @@ private:
 
 } // namespace
 
-double SurfaceFold(const AnalyticSurface& surface, bool maximum, const Vector3d& point,
-  double reach, double step)
+double SurfaceFold(
+  const AnalyticSurface& surface, bool maximum, const Vector3d& point, double reach, double step)
 {
   const LineOfCurvature line(surface, maximum);
   const ExactMonge start = surface.Monge(point);

@@ -47,8 +47,9 @@ public:
   /// Of a radius of a fit of degree two.
   static constexpr double SigmaPerRadius = 0.4;
 
-  /// Steps that all points take part in, however coarse the mesh is: derivatives need them.
-  static constexpr int LeastSteps = 2;
+  /// Steps that all points take part in, however coarse the mesh is: derivatives need one. More
+  /// would smooth coarse meshes farther than fine ones of the same shape.
+  static constexpr int LeastSteps = 1;
 
   /// As many steps average over 46 edges; more are not taken, so that a scale that is large by
   /// mistake, as where one point lies far off, does not take forever.
