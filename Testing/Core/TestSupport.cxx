@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkRidges contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// The Taylor arithmetic and the meshes that the other tests rely on.
+// The meshes that the other tests rely on.
 
-#include "Taylor3.h"
 #include "TestMeshes.h"
 
 #include <Eigen/Geometry>
@@ -62,43 +61,6 @@ void ExpectOnSurface(const Mesh& mesh, const AnalyticSurface& surface, int euler
 }
 
 } // namespace
-
-//------------------------------------------------------------------------------
-TEST(Taylor3, MatchesTheSeriesOfElementaryFunctions)
-{
-  using Jet = Taylor3<4>;
-  const Jet x = Jet::Linear(0.0, 1, 0, 0);
-  const Jet y = Jet::Linear(0.0, 0, 1, 0);
-  const Jet z = Jet::Linear(0.0, 0, 0, 1);
-  const double factorial[5] = { 1, 1, 2, 6, 24 };
-  const Jet e = exp(x + 2.0 * y - z);
-  for (int i = 0; i <= 4; ++i)
-  {
-    for (int j = 0; i + j <= 4; ++j)
-    {
-      for (int k = 0; i + j + k <= 4; ++k)
-      {
-        const double expected =
-          std::pow(2.0, j) * (k % 2 ? -1.0 : 1.0) / (factorial[i] * factorial[j] * factorial[k]);
-        EXPECT_NEAR(e(i, j, k), expected, 1e-15 * std::abs(expected) * 10);
-      }
-    }
-  }
-  const Jet q = 2.0 + x - 3.0 * y * z + x * y + z * z * z;
-  const Jet differences[4] = { sqrt(q) * sqrt(q) - q, q / q - 1.0, pow(q, 3) - q * q * q,
-    pow(q, -0.5) * sqrt(q) - 1.0 };
-  for (const Jet& difference : differences)
-  {
-    for (int i = 0; i <= 4; ++i)
-    {
-      for (int j = 0; i + j <= 4; ++j)
-      {
-        EXPECT_NEAR(difference(i, j, 4 - i - j), 0.0, 1e-13);
-        EXPECT_NEAR(difference(i / 2, j / 2, (4 - i - j) / 2), 0.0, 1e-13);
-      }
-    }
-  }
-}
 
 //------------------------------------------------------------------------------
 TEST(TestMeshes, IcosphereIsClosedAndOffTheCoordinatePlanes)

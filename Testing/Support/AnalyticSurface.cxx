@@ -116,14 +116,14 @@ AnalyticSurface::Jet4 AnalyticSurface::HeightFunction(
     {
       for (int j = 0; i + j + k <= 4; ++j)
       {
-        powers[k](i, j, 0) = -f(i, j, k) / g;
+        powers[k].Set(i, j, 0, -f(i, j, k) / g);
       }
     }
   }
-  powers[0](0, 0, 0) = 0.0; // the round-off of the point and of the normal
-  powers[0](1, 0, 0) = 0.0;
-  powers[0](0, 1, 0) = 0.0;
-  powers[1](0, 0, 0) = 0.0; // the term taken to the left-hand side
+  powers[0].Set(0, 0, 0, 0.0); // the round-off of the point and of the normal
+  powers[0].Set(1, 0, 0, 0.0);
+  powers[0].Set(0, 1, 0, 0.0);
+  powers[1].Set(0, 0, 0, 0.0); // the term taken to the left-hand side
 
   Jet4 w;
   for (int pass = 0; pass < 3; ++pass)

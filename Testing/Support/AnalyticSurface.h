@@ -6,7 +6,7 @@
 #ifndef RIDGES_TESTING_ANALYTIC_SURFACE_H
 #define RIDGES_TESTING_ANALYTIC_SURFACE_H
 
-#include "Taylor3.h"
+#include "Formula/Taylor3Functions.h"
 
 #include <Eigen/Core>
 
