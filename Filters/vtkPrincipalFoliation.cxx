@@ -36,6 +36,10 @@ namespace
 /// the least distance between lines.
 constexpr double ClosingFraction = 0.25;
 
+/// Lines that are nearer to each other than this part of the mean edge are worth a warning: the
+/// mesh is too coarse to say what lies between them, and they are very many.
+constexpr double LeastSeparationInEdges = 0.1;
+
 /// To 30 bits: what the numbering of the points changes by round-off is not to move the lines.
 double Rounded(double value)
 {
@@ -153,6 +157,16 @@ int vtkPrincipalFoliation::RequestData(
                                                  : std::numeric_limits<double>::infinity();
   rule.step = this->StepSize * rule.separation;
   rule.closingDistance = ClosingFraction * std::min(triangles.MeanEdgeLength(), rule.leastDistance);
+  const double edge = triangles.MeanEdgeLength();
+  if (rule.separation < LeastSeparationInEdges * edge)
+  {
+    vtkWarningMacro(
+      "Separation " << this->Separation << " puts " << edge / rule.separation
+                    << " lines across an edge of the mesh, which does not resolve them: from "
+                    << LeastSeparationInEdges * edge / modelSize << " on there are at most "
+                    << 1.0 / LeastSeparationInEdges
+                    << ". Refine the mesh, or raise the separation.");
+  }
   std::vector<std::uint8_t> closed;
   if (this->StopAtUmbilicPatches)
   {

@@ -95,7 +95,8 @@ public:
   /**
    * Distance between neighbouring lines, as a fraction of the model size, 0.0001 to 1. Default
    * 0.05, about twenty lines from one side of a picture to the other. It does not refer to the
-   * mesh, so a finer mesh gives the same picture.
+   * mesh, so a finer mesh gives the same picture. Less than a tenth of the mean edge is out of
+   * reach of the mesh, takes long, and is warned of.
    */
   vtkSetClampMacro(Separation, double, 0.0001, 1.0);
   vtkGetMacro(Separation, double);

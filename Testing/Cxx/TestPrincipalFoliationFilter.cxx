@@ -274,6 +274,22 @@ TEST(PrincipalFoliationFilter, SeparationIsAFractionOfTheModelSizeWhateverTheMes
   }
 }
 
+TEST(PrincipalFoliationFilter, WarnsOfMoreLinesThanTheMeshResolves)
+{
+  // The mean edge is 0.3 of the radius of 1.4.
+  const auto mesh = RunFilters(EllipsoidData(3)).fitted;
+  for (const double separation : { 0.02, 0.04 })
+  {
+    vtkNew<vtkPrincipalFoliation> filter;
+    const MessageRecorder recorder(filter);
+    filter->SetInputData(mesh);
+    filter->SetSeparation(separation);
+    filter->Update();
+    const bool isWarned = recorder.WarningText().find("lines across an edge") != std::string::npos;
+    EXPECT_EQ(isWarned, separation < 0.03) << recorder.WarningText();
+  }
+}
+
 TEST(PrincipalFoliationFilter, IsTheSameForAnyNumberOfThreadsAndNumbering)
 {
   const auto mesh = BlendData(32);
