@@ -190,7 +190,9 @@ bool vtkRidgesZoneSearch::ShowsOnLargerScale(
       (this->IsFlagged.empty() || this->IsFlagged[p] == 0);
   };
   ridges::ExtremalityProbe depth(mesh, rings);
-  for (const int numberOfRings : { 4, 7, 12 })
+  // Noise in b falls with the fourth power of the scale. On fine meshes twelve rings are still
+  // small.
+  for (const int numberOfRings : { 4, 7, 12, 20, 33 })
   {
     const std::vector<ridges::Id> sample = ridges::SampleOf(mesh, zones.Regions()[region],
       [&depth, &isIn, numberOfRings](ridges::Id p)
