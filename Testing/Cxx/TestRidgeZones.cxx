@@ -96,6 +96,25 @@ TEST(RidgeZones, SurfacesWithoutRidgesHaveNoLines)
 }
 
 //------------------------------------------------------------------------------
+// Of few points, and of such whose fits are ill conditioned.
+TEST(RidgeZones, SmallAndStretchedMeshesWithoutRidgesHaveNoLines)
+{
+  const auto tilted = [](double x, double y) { return 0.3 * x - 0.2 * y; };
+  for (const int n : { 8, 12 })
+  {
+    for (const double noise : { 0.0, 1e-4, 1e-2 })
+    {
+      const Mesh plane = GraphPatch(tilted, 1.0, n);
+      const Mesh mesh = AddNormalNoise(plane, noise * MeanEdgeLength(plane), 7);
+      EXPECT_EQ(Result(ToPolyData(mesh)).Lines(), 0) << n << " " << noise;
+    }
+  }
+  // Cells ten times as long as wide.
+  const Mesh stretched = Cylinder(200, 6);
+  EXPECT_EQ(Result(ToPolyData(AddNormalNoise(stretched, 3e-4, 7))).Lines(), 0);
+}
+
+//------------------------------------------------------------------------------
 TEST(RidgeZones, FloatCoordinatesAndScaleMakeNoRidges)
 {
   const Mesh cylinder = Cylinder(60, 19);

@@ -57,13 +57,16 @@ RidgeZones::RidgeZones(const TriangleMesh& mesh, const std::vector<Verdict>& ver
     const std::size_t insignificant = count(Verdict::Insignificant);
     const bool isRoundOff = insignificant == 0 && roundOff >= LeastRoundOff;
     bool isZone = isRoundOff;
-    if (!isRoundOff && roundOff + insignificant >= LeastPoints)
+    const bool isLarge = region.size() >= LeastPoints;
+    if (!isRoundOff && (isLarge || roundOff + insignificant >= LeastPointsOfWhole))
     {
       if (sizes.empty())
       {
         sizes = this->SizesOfParts();
       }
-      isZone = static_cast<double>(region.size()) >= LeastShare * sizes[first];
+      const auto size = static_cast<double>(region.size());
+      isZone = size == sizes[first] ||
+        (roundOff + insignificant >= LeastPoints && size >= LeastShare * sizes[first]);
     }
     if (isZone)
     {

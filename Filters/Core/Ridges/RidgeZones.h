@@ -21,13 +21,15 @@ namespace ridges
  * extremality is significant or the surface is not resolved. Unless the extremality is round-off
  * wherever it is known, a region needs LeastPoints points at which it is known, and LeastShare of
  * the points of its connected part of the mesh: on noisy surfaces with ridges there are smaller
- * regions by chance.
+ * regions by chance. If it is all of that part, LeastPointsOfWhole are enough;
+ * or LeastPoints at which it is not known, as where all fits are ill conditioned.
  */
 class RidgeZones
 {
 public:
   static constexpr int Margin = 4;
   static constexpr std::size_t LeastPoints = 200;
+  static constexpr std::size_t LeastPointsOfWhole = 20;
   static constexpr double LeastShare = 0.25;
 
   RidgeZones(const TriangleMesh& mesh, const std::vector<ExtremalityErrors::Verdict>& verdicts);

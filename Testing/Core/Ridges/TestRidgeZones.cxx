@@ -101,9 +101,33 @@ TEST_F(RidgeZonesOnGrid, ZonesNeedPointsAndAShareOfTheMesh)
 TEST_F(RidgeZonesOnGrid, UnknownPointsAreNoEvidence)
 {
   std::fill(verdicts.begin(), verdicts.end(), Verdict::Unknown);
+  verdicts.back() = Verdict::Significant;
   EXPECT_TRUE(RidgeZones(mesh, verdicts).Regions().empty());
   std::fill_n(verdicts.begin(), RidgeZones::LeastPoints, Verdict::Insignificant);
   EXPECT_EQ(RidgeZones(mesh, verdicts).Regions().size(), 1u);
+}
+
+//------------------------------------------------------------------------------
+// As where all fits are ill conditioned.
+TEST_F(RidgeZonesOnGrid, MeshWithoutAnythingSignificantIsAZone)
+{
+  std::fill(verdicts.begin(), verdicts.end(), Verdict::Unknown);
+  EXPECT_EQ(RidgeZones(mesh, verdicts).Regions().size(), 1u);
+  verdicts.back() = Verdict::Unresolved;
+  EXPECT_TRUE(RidgeZones(mesh, verdicts).Regions().empty());
+}
+
+//------------------------------------------------------------------------------
+TEST(RidgeZones, SmallMeshesAreZonesAsAWhole)
+{
+  const MeshedSurface surface(GraphPatch([](double, double) { return 0.0; }, 1.0, 8));
+  const auto count = static_cast<std::size_t>(surface.Triangles().NumberOfPoints());
+  ASSERT_LT(count, RidgeZones::LeastPoints);
+  std::vector<Verdict> verdicts(count, Verdict::Unknown);
+  std::fill_n(verdicts.begin(), RidgeZones::LeastPointsOfWhole - 1, Verdict::Insignificant);
+  EXPECT_TRUE(RidgeZones(surface.Triangles(), verdicts).Regions().empty());
+  std::fill_n(verdicts.begin(), RidgeZones::LeastPointsOfWhole, Verdict::Insignificant);
+  EXPECT_EQ(RidgeZones(surface.Triangles(), verdicts).Regions().size(), 1u);
 }
 
 //------------------------------------------------------------------------------
