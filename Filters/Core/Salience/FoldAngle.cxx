@@ -51,7 +51,10 @@ double FoldMeter::Walk(
   double own = least;
   double arc = 0.0;
   samples.push_back({ 0.0, least });
-  while (arc < this->Rule_.reach && this->Walk_.Step())
+  // A feature is some hundred edges wide at most. Where a few points are very far away, so that the
+  // reach is a million edges of the rest, walks would go around in circles.
+  constexpr std::size_t mostSamples = 10'000;
+  while (arc < this->Rule_.reach && samples.size() < mostSamples && this->Walk_.Step())
   {
     const double step = this->Walk_.StepLength();
     double f = sign * this->Walk_.Curvature();

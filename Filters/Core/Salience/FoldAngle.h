@@ -36,11 +36,11 @@ struct FoldRule
  * the foot of its feature.
  *
  * From the point a walk follows the curvature line to both sides, and watches f: k1 on blue ridges,
- * -k2 on red ones. It ends where f is higher than at the ridge, at the border, at an umbilic, or
- * after `reach`. The foot is the higher of the lowest f at the two sides, as for the prominence of
- * a mountain, and not below 0. The fold angle is the integral of f less the foot and the floor, as
- * long as that is positive around the point. It is 0 on spheres, planes, cylinders, cones and tori,
- * and the angle between its two sides at a sharp crease.
+ * -k2 on red ones. It ends where f is higher than at the ridge, at the border, at an umbilic, after
+ * `reach`, or after 10,000 triangles. The foot is the higher of the lowest f at the two sides, as
+ * for the prominence of a mountain, and not below 0. The fold angle is the integral of f less the
+ * foot and the floor, as long as that is positive around the point. It is 0 on spheres, planes,
+ * cylinders, cones and tori, and the angle between its two sides at a sharp crease.
  *
  * Holds scratch memory: use one per thread.
  */

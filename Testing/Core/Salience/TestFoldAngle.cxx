@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace
 {
@@ -243,6 +244,25 @@ TEST(FoldAngle, IsZeroOnSurfacesOfConstantCurvature)
   // On a torus only the other curvature changes along its line, and that is no fold of the tube.
   const TorusLines torus(20);
   EXPECT_LT(LargestFold(torus.surface, torus.field), 0.05);
+}
+
+// Around a tube there is nothing that ends a walk but the number of its triangles.
+TEST(FoldAngle, EndsWhateverTheReach)
+{
+  const MeshedSurface surface(TorusMesh(1.0, 0.4, 20, 10));
+  const FieldArrays field = ExactField(surface.Triangles(), MakeTorus(1.0, 0.4));
+  FoldRule rule;
+  rule.reach = std::numeric_limits<double>::infinity();
+  rule.slack = rule.reach;
+  const MongeField view = field.View();
+  FoldMeter meter(surface.Triangles(), view, rule);
+  for (const Color color : { Color::Blue, Color::Red })
+  {
+    const Edge& edge = surface.Triangles().EdgeAt(7);
+    const Eigen::Vector3d middle =
+      0.5 * (surface.Triangles().Point(edge.v0) + surface.Triangles().Point(edge.v1));
+    EXPECT_TRUE(std::isfinite(meter.Measure(color, 7, middle).angle));
+  }
 }
 
 // A higher peak on the way ends the walk, and the saddle before it is the foot.
