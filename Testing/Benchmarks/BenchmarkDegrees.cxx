@@ -91,8 +91,7 @@ void RegisterDegrees()
   for (const Kind& kind : Kinds)
   {
     const std::string mesh = "ellipsoid 40k";
-    benchmark::RegisterBenchmark(
-      ("Degrees/" + std::to_string(kind.degree) + "/" + mesh).c_str(),
+    benchmark::RegisterBenchmark(("Degrees/" + std::to_string(kind.degree) + "/" + mesh).c_str(),
       [=](benchmark::State& state) { Measure(state, mesh, EllipsoidMesh(63), kind); })
       ->UseManualTime()
       ->Unit(benchmark::kMillisecond)

@@ -51,8 +51,7 @@ MeanErrors Measure(vtkPolyData* fitted, const AnalyticSurface& surface)
       continue;
     }
     ++compared;
-    const double sign =
-      VectorAt(data, names::MaximumDirection, p).dot(exact.d1) > 0.0 ? 1.0 : -1.0;
+    const double sign = VectorAt(data, names::MaximumDirection, p).dot(exact.d1) > 0.0 ? 1.0 : -1.0;
     sums[0] += std::abs(Value(data, names::MaximumCurvature, p) - exact.k1) +
       std::abs(Value(data, names::MinimumCurvature, p) - exact.k2);
     for (int i = 0; i < 4; ++i)
@@ -109,10 +108,8 @@ void ExpectOrders(const char* name, int degree, const MeanErrors& coarse, const 
 TEST(JetFittingDegrees, ConvergeAtTheirOrdersOnTheEllipsoid)
 {
   const AnalyticSurface surface = MakeEllipsoid(1.4, 1.0, 0.6);
-  const auto mesh = [&surface](int frequency)
-  {
-    return ToPolyData(
-      Jittered(EllipsoidMesh(frequency, 1.4, 1.0, 0.6), surface, 0.2 / frequency));
+  const auto mesh = [&surface](int frequency) {
+    return ToPolyData(Jittered(EllipsoidMesh(frequency, 1.4, 1.0, 0.6), surface, 0.2 / frequency));
   };
   for (const auto& [degree, frequency] : { std::pair(6, 20), std::pair(8, 20) })
   {
@@ -154,10 +151,10 @@ TEST(JetFittingDegrees, HigherDegreesAreMoreExactOnACleanMesh)
 //------------------------------------------------------------------------------
 TEST(JetFittingDegrees, BordersAreRight)
 {
-  const auto height = [](double x, double y) { return 0.3 * x * x - 0.2 * y * y + 0.1 * x * y * y; };
+  const auto height = [](double x, double y)
+  { return 0.3 * x * x - 0.2 * y * y + 0.1 * x * y * y; };
   const AnalyticSurface surface(
-    [](auto x, auto y, auto z)
-    { return z - (0.3 * x * x - 0.2 * y * y + 0.1 * x * y * y); });
+    [](auto x, auto y, auto z) { return z - (0.3 * x * x - 0.2 * y * y + 0.1 * x * y * y); });
   for (const int degree : { 5, 6, 7, 8 })
   {
     for (const double jitter : { 0.0, 0.2 })

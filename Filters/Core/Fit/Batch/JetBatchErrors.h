@@ -50,8 +50,8 @@ struct DerivativeForms
   Vec fourth1[5]; ///< Along d1 only.
   Vec fourth2[5]; ///< Along d2 only.
 
-  inline DerivativeForms(const Axis& e1, const Axis& e2, const Vec& perG, const Vec& perRadius,
-    const Extents& extents)
+  inline DerivativeForms(
+    const Axis& e1, const Axis& e2, const Vec& perG, const Vec& perRadius, const Extents& extents)
   {
     const Vec u1[2] = { e1.u, e1.v };
     const Vec u2[2] = { e2.u, e2.v };
@@ -210,8 +210,8 @@ inline void SetGradients(const LaneMonge& m, const DerivativeForms& d, Gradients
   }
 }
 
-inline void SetGradients(const ridges::JetBatch& batch, const Frame& frame, const Extents& extents,
-  Gradients& gradients)
+inline void SetGradients(
+  const ridges::JetBatch& batch, const Frame& frame, const Extents& extents, Gradients& gradients)
 {
   const Vec3 d1 = Load3(batch.d1);
   const Vec3 d2 = Load3(batch.d2);
@@ -245,19 +245,87 @@ inline void StoreErrors(ridges::JetBatch& batch, const Vec& totalWeight, const U
   }
 }
 
-/// The monomials at a point, in rising order.
-template <int Degree>
-inline void SetMonomials(const Vec3& point, Vec* monomials)
+/// Points whose monomials are solved for side by side, as none of them alone keeps the processor
+/// busy.
+constexpr int Together = 4;
+
+/// Visits all points, some at once: visit(monomials, weights), with the monomials in rising order
+/// and then by point, and weights of 0 for what is past the end.
+template <int Degree, typename Visit>
+inline void ForMonomials(const LocalPoints& points, Visit visit)
 {
-  monomials[0] = Broadcast(1.0);
-  for (int d = 1; d <= Degree; ++d)
+  for (int first = 0; first < points.rows; first += Together)
   {
-    for (int j = 0; j < d; ++j)
+    Vec monomials[NumberOfMonomials(Degree)][Together];
+    Vec weights[Together];
+    for (int i = 0; i < Together; ++i)
     {
-      monomials[MonomialIndex(d - j, j)] = monomials[MonomialIndex(d - 1 - j, j)] * point.x;
+      const bool isPast = first + i >= points.rows;
+      const int row = isPast ? first : first + i;
+      const Vec3& point = points.at[row];
+      weights[i] = isPast ? Vec{} : points.Weight(row);
+      monomials[0][i] = Broadcast(1.0);
+      for (int d = 1; d <= Degree; ++d)
+      {
+        for (int j = 0; j < d; ++j)
+        {
+          monomials[MonomialIndex(d - j, j)][i] =
+            monomials[MonomialIndex(d - 1 - j, j)][i] * point.x;
+        }
+        monomials[MonomialIndex(0, d)][i] = monomials[MonomialIndex(0, d - 1)][i] * point.y;
+      }
     }
-    monomials[MonomialIndex(0, d)] = monomials[MonomialIndex(0, d - 1)] * point.y;
+    visit(monomials, weights);
   }
+}
+
+/// With weights each point counts with the square of its weight, and takes a part of the freedom.
+/// Takes L^-1 times the monomials, by row; rowOf(k) is the row of coefficient k, of which the first
+/// `count` have a gradient.
+template <typename RowOf>
+inline void AddWeighted(const Vec (*solution)[Together], const Vec* inverseD, int rows,
+  const Gradients& solved, int count, RowOf rowOf, const Vec (&weights)[Together],
+  UnitVariances& unit)
+{
+  Vec leverage[Together]{};
+  for (int row = 0; row < rows; ++row)
+  {
+#pragma GCC unroll 4
+    for (int i = 0; i < Together; ++i)
+    {
+      leverage[i] += solution[row][i] * solution[row][i] * inverseD[row];
+    }
+  }
+  for (int i = 0; i < Together; ++i)
+  {
+    unit.freedom -= weights[i] * weights[i] * leverage[i];
+    Vec shares[Quantities]{};
+    for (int k = 0; k < count; ++k)
+    {
+      const int row = rowOf(k);
+      const Vec scaled = solution[row][i] * inverseD[row];
+#pragma GCC unroll 8
+      for (int q = 0; q < Quantities; ++q)
+      {
+        shares[q] += solved.at[k][q] * scaled;
+      }
+    }
+#pragma GCC unroll 8
+    for (int q = 0; q < Quantities; ++q)
+    {
+      const Vec share = weights[i] * shares[q];
+      unit.of[q] += share * share;
+    }
+  }
+}
+
+inline void BeginWeighted(UnitVariances& unit, const Vec& totalWeight)
+{
+  for (Vec& variance : unit.of)
+  {
+    variance = Vec{};
+  }
+  unit.freedom = totalWeight;
 }
 
 } // namespace

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkRidges contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// The instruction set that every machine of the architecture has: SSE2, NEON, degrees 2 to 4 with standard errors.
+// The instruction set that every machine of the architecture has: SSE2, NEON, degrees 2 to 4 with
+// standard errors.
 #ifdef __GNUC__
 
 #define RIDGES_LANES 2

@@ -86,46 +86,36 @@ inline void SolveGradients(
   }
 }
 
-/// With weights, of the solved gradients: each point counts with the square of its weight, and
-/// takes a part of the freedom.
 template <int Degree>
 inline void WeighVariances(const LocalPoints& points, const NormalEquations<Degree>& equations,
   const Gradients& solved, const Vec& totalWeight, UnitVariances& unit)
 {
-  constexpr int size = NumberOfMonomials(Degree);
-  for (Vec& variance : unit.of)
-  {
-    variance = Vec{};
-  }
-  unit.freedom = totalWeight;
-  for (int row = 0; row < points.rows; ++row)
-  {
-    const Vec weight = points.Weight(row);
-    Vec x[size];
-    SetMonomials<Degree>(points.at[row], x);
-    Vec leverage = x[0] * x[0] * equations.inverseD[0];
-    Vec shares[Quantities]{};
-    for (int k = 1; k < size; ++k)
+  BeginWeighted(unit, totalWeight);
+  ForMonomials<Degree>(points,
+    [&equations, &solved, &unit](auto& x, const auto& weights)
     {
-      for (int column = 0; column < k; ++column)
+      constexpr int size = NumberOfMonomials(Degree);
+      for (int row = 0; row < size; ++row)
       {
-        x[k] -= equations.L[k][column] * x[column];
+        Vec rest[Together] = { x[row][0], x[row][1], x[row][2], x[row][3] };
+        for (int column = 0; column < row; ++column)
+        {
+          const Vec factor = equations.L[row][column];
+#pragma GCC unroll 4
+          for (int i = 0; i < Together; ++i)
+          {
+            rest[i] -= factor * x[column][i];
+          }
+        }
+#pragma GCC unroll 4
+        for (int i = 0; i < Together; ++i)
+        {
+          x[row][i] = rest[i];
+        }
       }
-      const Vec scaled = x[k] * equations.inverseD[k];
-      leverage += x[k] * scaled;
-#pragma GCC unroll 8
-      for (int q = 0; q < Quantities; ++q)
-      {
-        shares[q] += solved.at[k][q] * scaled;
-      }
-    }
-    unit.freedom -= weight * weight * leverage;
-    for (int q = 0; q < Quantities; ++q)
-    {
-      const Vec share = weight * shares[q];
-      unit.of[q] += share * share;
-    }
-  }
+      AddWeighted(
+        x, equations.inverseD, size, solved, size, [](int k) { return k; }, weights, unit);
+    });
 }
 
 /// Apart from the fit, whose code is the same without it.

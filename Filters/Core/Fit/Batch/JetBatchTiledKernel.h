@@ -94,19 +94,18 @@ inline void AddRowsTo(PowerSums<Degree>& table, const Vec* rows)
   }
 }
 
-/// The scalar products over the unit disk of the polynomial with these coefficients and all
-/// monomials; the result is that with itself.
+/// By the exponents of v and u. Static, as tables of functions are copied in each call.
 template <int Degree>
-inline Vec ProductsOverDisk(const Vec* rows, Vec* products)
+struct DiskMoments
 {
-  using Equations = TiledEquations<Degree>;
-  struct Moments
+  struct Table
   {
     double at[2 * Degree + 1][2 * Degree + 1];
   };
-  constexpr Moments moments = []
+
+  static constexpr Table Make()
   {
-    Moments all{};
+    Table all{};
     for (int j = 0; j <= 2 * Degree; ++j)
     {
       for (int i = 0; i <= 2 * Degree; ++i)
@@ -115,28 +114,45 @@ inline Vec ProductsOverDisk(const Vec* rows, Vec* products)
       }
     }
     return all;
-  }();
+  }
+
+  static constexpr Table Of = Make();
+};
+
+/// The scalar products over the unit disk of a polynomial and all monomials; the result is that
+/// with itself.
+template <int Degree>
+inline Vec ProductsOverDisk(const Vec* rows, Vec* products)
+{
+  using Equations = TiledEquations<Degree>;
+  Vec table[Degree + 1][Degree + 1];
   for (int row = Equations::Size; row < Equations::Rows; ++row)
   {
     products[row] = Vec{};
   }
-  Vec square{};
   for (int d = 0; d <= Degree; ++d)
   {
     for (int j = 0; j <= d; ++j)
     {
+      table[j][d - j] = rows[Equations::RowOf(MonomialIndex(d - j, j))];
+    }
+  }
+  Vec square{};
+  for (int j = 0; j <= Degree; ++j)
+  {
+    for (int i = 0; i + j <= Degree; ++i)
+    {
       Vec sum{};
-      for (int e = d % 2; e <= Degree; e += 2) // those of odd exponents are zero
+      for (int l = j % 2; l <= Degree; l += 2) // those of odd exponents are zero
       {
-        for (int k = j % 2; k <= e; k += 2)
+        const double* moments = DiskMoments<Degree>::Of.at[j + l] + i;
+        for (int k = i % 2; k + l <= Degree; k += 2)
         {
-          const Vec& factor = rows[Equations::RowOf(MonomialIndex(e - k, k))];
-          sum += moments.at[j + k][d - j + e - k] * factor;
+          sum += moments[k] * table[l][k];
         }
       }
-      const int row = Equations::RowOf(MonomialIndex(d - j, j));
-      products[row] = sum;
-      square += sum * rows[row];
+      products[Equations::RowOf(MonomialIndex(i, j))] = sum;
+      square += sum * table[j][i];
     }
   }
   return square;
@@ -199,8 +215,7 @@ inline void StoreTiledQuality(ridges::JetBatch& batch, const Frame& frame,
     batch.conditionNumber, frame.failed ? Vec{} : (equations.excess > 0.0 ? estimate : singular));
   const Vec counts = Load(batch.counts);
   const Vec freedom = Max(counts - static_cast<double>(Equations::Size), Broadcast(1.0));
-  Store(
-    batch.noiseGain, Sqrt(VarianceOfThirdOrder<Degree>(equations, extents) * counts / freedom));
+  Store(batch.noiseGain, Sqrt(VarianceOfThirdOrder<Degree>(equations, extents) * counts / freedom));
 }
 
 /// The coefficients up to order 4, in units of the radius, in rising order.
@@ -259,45 +274,23 @@ inline void WeighVariances(const LocalPoints& points, const TiledEquations<Degre
   const Gradients& solved, const Vec& totalWeight, UnitVariances& unit)
 {
   using Equations = TiledEquations<Degree>;
-  for (Vec& variance : unit.of)
-  {
-    variance = Vec{};
-  }
-  unit.freedom = totalWeight;
-  for (int row = 0; row < points.rows; ++row)
-  {
-    const Vec weight = points.Weight(row);
-    Vec monomials[Equations::Size];
-    SetMonomials<Degree>(points.at[row], monomials);
-    Vec x[Equations::Rows]{};
-    for (int k = 0; k < Equations::Size; ++k)
+  BeginWeighted(unit, totalWeight);
+  ForMonomials<Degree>(points,
+    [&equations, &solved, &unit](const auto& monomials, const auto& weights)
     {
-      x[Equations::RowOf(k)] = monomials[k];
-    }
-    equations.SolveForward(x);
-    Vec leverage{};
-    for (int k = 0; k < Equations::Size; ++k)
-    {
-      leverage += x[k] * x[k] * equations.inverseD[k];
-    }
-    unit.freedom -= weight * weight * leverage;
-    Vec shares[Quantities]{};
-    for (int k = 0; k < MongeCoefficients; ++k)
-    {
-      const int place = Equations::RowOf(k);
-      const Vec scaled = x[place] * equations.inverseD[place];
-#pragma GCC unroll 8
-      for (int q = 0; q < Quantities; ++q)
+      Vec x[Equations::Rows][Together]{};
+      for (int k = 0; k < Equations::Size; ++k)
       {
-        shares[q] += solved.at[k][q] * scaled;
+        for (int i = 0; i < Together; ++i)
+        {
+          x[Equations::RowOf(k)][i] = monomials[k][i];
+        }
       }
-    }
-    for (int q = 0; q < Quantities; ++q)
-    {
-      const Vec share = weight * shares[q];
-      unit.of[q] += share * share;
-    }
-  }
+      equations.SolveForward(x);
+      AddWeighted(
+        x, equations.inverseD, Equations::Size, solved, MongeCoefficients,
+        [](int k) { return Equations::RowOf(k); }, weights, unit);
+    });
 }
 
 template <int Degree>
@@ -327,18 +320,17 @@ inline void FitTiled(ridges::JetBatch& batch)
   const Extents extents = DivideByExtents(points);
 
   PowerSums<2 * Degree> moments;
-  moments.Sum(points, [&points](int row) { return points.Weight(row); });
+  PowerSums<Degree> coefficients; // at first the right-hand side
+  SumMoments<Degree>(points, moments, coefficients);
   const Vec totalWeight = moments.at[0][0];
   Equations equations;
   equations.Factor(moments);
   StoreTiledQuality<Degree>(batch, frame, equations, totalWeight, extents);
 
-  PowerSums<Degree> coefficients;
-  coefficients.Sum(points, [&points](int row) { return points.Weight(row) * points.at[row].z; });
   Vec solution[Equations::Rows];
   ToRows<Degree>(coefficients, solution);
   equations.Solve(solution);
-  coefficients = {};
+  coefficients.Clear();
   AddRowsTo<Degree>(coefficients, solution);
 
   // Iterative refinement: what the polynomial misses at the points, fitted once more.

@@ -18,6 +18,43 @@ constexpr int Padded(int size)
   return (size + Tile - 1) / Tile * Tile;
 }
 
+/// The powers of u of some rows, and of v times a value.
+template <int Order>
+struct Powers
+{
+  static constexpr int Size = Padded(Order + 1);
+  static constexpr int RowsAtOnce =
+    75 / Size; ///< So few that they stay in the first level of the cache.
+
+  Vec ofU[RowsAtOnce][Size];
+  Vec ofV[RowsAtOnce][Size];
+
+  inline void Set(int row, const Vec3& point, const Vec& value)
+  {
+    Vec powerOfU = Broadcast(1.0);
+    Vec powerOfV = value;
+    for (int k = 0; k < Size; ++k)
+    {
+      this->ofU[row][k] = powerOfU;
+      this->ofV[row][k] = powerOfV;
+      powerOfU *= point.x;
+      powerOfV *= point.y;
+    }
+  }
+};
+
+/// Calls visit(first, count) for all rows, as many at once as their powers are kept of.
+template <int Order, typename Visit>
+inline void ForRows(const LocalPoints& points, Visit visit)
+{
+  constexpr int rowsAtOnce = Powers<Order>::RowsAtOnce;
+  for (int first = 0; first < points.rows; first += rowsAtOnce)
+  {
+    const int rest = points.rows - first;
+    visit(first, rest < rowsAtOnce ? rest : rowsAtOnce);
+  }
+}
+
 /// Sums of values times u^i v^j, by j and i; of i + j <= Order only.
 template <int Order>
 struct PowerSums
@@ -26,13 +63,8 @@ struct PowerSums
 
   Vec at[Size][Size];
 
-  /// Over the rows, with value(row).
-  template <typename Value>
-  inline void Sum(const LocalPoints& points, Value value)
+  inline void Clear()
   {
-    constexpr int rowsAtOnce = 8; // Their powers stay in the first level of the cache.
-    Vec powersOfU[rowsAtOnce][Size];
-    Vec powersOfV[rowsAtOnce][Size]; // times the value
     for (int j = 0; j < Size; ++j)
     {
       for (int i = 0; i < Size; ++i)
@@ -40,36 +72,103 @@ struct PowerSums
         this->at[j][i] = Vec{};
       }
     }
-    for (int first = 0; first < points.rows; first += rowsAtOnce)
+  }
+
+  /// Over the rows, with value(row).
+  template <typename Value>
+  inline void Sum(const LocalPoints& points, Value value)
+  {
+    Powers<Order> powers;
+    this->Clear();
+    ForRows<Order>(points,
+      [this, &points, &powers, &value](int first, int count)
+      {
+        for (int row = 0; row < count; ++row)
+        {
+          powers.Set(row, points.at[first + row], value(first + row));
+        }
+        this->Add(powers.ofU, powers.ofV, count);
+      });
+  }
+
+  template <int SizeOfU, int SizeOfV>
+  inline void Add(const Vec (*ofU)[SizeOfU], const Vec (*ofV)[SizeOfV], int count)
+  {
+    constexpr int last = Rest < 2 ? Last - Tile : Last;
+    for (int j = 0; j <= last; j += Tile)
     {
-      const int rest = points.rows - first;
-      const int count = rest < rowsAtOnce ? rest : rowsAtOnce;
-      for (int row = 0; row < count; ++row)
+      for (int i = 0; i + j <= last; i += Tile)
       {
-        const Vec3& p = points.at[first + row];
-        Vec powerOfU = Broadcast(1.0);
-        Vec powerOfV = value(first + row);
-        for (int k = 0; k < Size; ++k)
-        {
-          powersOfU[row][k] = powerOfU;
-          powersOfV[row][k] = powerOfV;
-          powerOfU *= p.x;
-          powerOfV *= p.y;
-        }
+        this->AddTile(ofU, ofV, count, i, j);
       }
-      for (int j = 0; j <= Order; j += Tile)
+    }
+    if constexpr (Rest < 2)
+    {
+      constexpr int tiles = Last / Tile + 1;
+      constexpr int half = Rest == 0 ? tiles : tiles / 2;
+      this->template AddCorners<half>(ofU, ofV, count, 0);
+      if constexpr (half < tiles)
       {
-        for (int i = 0; i + j <= Order; i += Tile)
-        {
-          this->AddTile(powersOfU, powersOfV, count, i, j);
-        }
+        this->template AddCorners<tiles - half>(ofU, ofV, count, half * Tile);
       }
     }
   }
 
 private:
-  inline void AddTile(const Vec (*powersOfU)[Size], const Vec (*powersOfV)[Size], int count,
-    int firstI, int firstJ)
+  // The last tiles have i + j = Last at their first element, and only i + j <= Last + Rest counts.
+  static constexpr int Rest = Order % Tile;
+  static constexpr int Last = Order - Rest;
+
+  /// What counts of some of the last tiles, if that is few elements.
+  template <int Tiles, int SizeOfU, int SizeOfV>
+  inline void AddCorners(
+    const Vec (*ofU)[SizeOfU], const Vec (*ofV)[SizeOfV], int count, int firstI)
+  {
+    Vec sums[Tiles][Tile];
+#pragma GCC unroll 6
+    for (int tile = 0; tile < Tiles; ++tile)
+    {
+      const int i = firstI + tile * Tile;
+      const int j = Last - i;
+      sums[tile][0] = this->at[j][i];
+      if (Rest > 0)
+      {
+        sums[tile][1] = this->at[j][i + 1];
+        sums[tile][2] = this->at[j + 1][i];
+      }
+    }
+    for (int row = 0; row < count; ++row)
+    {
+#pragma GCC unroll 6
+      for (int tile = 0; tile < Tiles; ++tile)
+      {
+        const Vec* u = ofU[row] + firstI + tile * Tile;
+        const Vec* v = ofV[row] + Last - firstI - tile * Tile;
+        sums[tile][0] += v[0] * u[0];
+        if (Rest > 0)
+        {
+          sums[tile][1] += v[0] * u[1];
+          sums[tile][2] += v[1] * u[0];
+        }
+      }
+    }
+#pragma GCC unroll 6
+    for (int tile = 0; tile < Tiles; ++tile)
+    {
+      const int i = firstI + tile * Tile;
+      const int j = Last - i;
+      this->at[j][i] = sums[tile][0];
+      if (Rest > 0)
+      {
+        this->at[j][i + 1] = sums[tile][1];
+        this->at[j + 1][i] = sums[tile][2];
+      }
+    }
+  }
+
+  template <int SizeOfU, int SizeOfV>
+  inline void AddTile(
+    const Vec (*ofU)[SizeOfU], const Vec (*ofV)[SizeOfV], int count, int firstI, int firstJ)
   {
     Vec sums[Tile][Tile];
 #pragma GCC unroll 3
@@ -83,15 +182,15 @@ private:
     }
     for (int row = 0; row < count; ++row)
     {
-      const Vec* ofU = powersOfU[row] + firstI;
-      const Vec* ofV = powersOfV[row] + firstJ;
+      const Vec* u = ofU[row] + firstI;
+      const Vec* v = ofV[row] + firstJ;
 #pragma GCC unroll 3
       for (int j = 0; j < Tile; ++j)
       {
 #pragma GCC unroll 3
         for (int i = 0; i < Tile; ++i)
         {
-          sums[j][i] += ofV[j] * ofU[i];
+          sums[j][i] += v[j] * u[i];
         }
       }
     }
@@ -106,6 +205,34 @@ private:
     }
   }
 };
+
+/// The moments of the weights, and those of the heights times the weights.
+template <int Degree>
+inline void SumMoments(
+  const LocalPoints& points, PowerSums<2 * Degree>& moments, PowerSums<Degree>& heights)
+{
+  constexpr int order = 2 * Degree;
+  constexpr int size = PowerSums<Degree>::Size;
+  Powers<order> powers;
+  Vec timesHeight[Powers<order>::RowsAtOnce][size];
+  moments.Clear();
+  heights.Clear();
+  ForRows<order>(points,
+    [&points, &moments, &heights, &powers, &timesHeight](int first, int count)
+    {
+      for (int row = 0; row < count; ++row)
+      {
+        const Vec3& p = points.at[first + row];
+        powers.Set(row, p, points.Weight(first + row));
+        for (int k = 0; k < size; ++k)
+        {
+          timesHeight[row][k] = p.z * powers.ofV[row][k];
+        }
+      }
+      moments.Add(powers.ofU, powers.ofV, count);
+      heights.Add(powers.ofU, timesHeight, count);
+    });
+}
 
 /// The polynomial with these coefficients at a point, by Horner's rule in v.
 template <int Degree>
@@ -165,6 +292,47 @@ struct TiledEquations
     for (int first = 0; first < Rows; first += Tile)
     {
       this->SolveForward(first, x);
+    }
+  }
+
+  /// The same for some right-hand sides at once.
+  template <int Sides>
+  inline void SolveForward(Vec (&x)[Rows][Sides]) const
+  {
+    for (int first = 0; first < Rows; first += Tile)
+    {
+      const Vec(*factors)[Tile] = this->L[first / Tile];
+      Vec rest[Tile][Sides];
+#pragma GCC unroll 3
+      for (int t = 0; t < Tile; ++t)
+      {
+#pragma GCC unroll 4
+        for (int i = 0; i < Sides; ++i)
+        {
+          rest[t][i] = x[first + t][i];
+        }
+      }
+      for (int k = 0; k < first; ++k)
+      {
+#pragma GCC unroll 3
+        for (int t = 0; t < Tile; ++t)
+        {
+#pragma GCC unroll 4
+          for (int i = 0; i < Sides; ++i)
+          {
+            rest[t][i] -= factors[k][t] * x[k][i];
+          }
+        }
+      }
+#pragma GCC unroll 4
+      for (int i = 0; i < Sides; ++i)
+      {
+        rest[1][i] -= factors[first][1] * rest[0][i];
+        rest[2][i] -= factors[first][2] * rest[0][i] + factors[first + 1][2] * rest[1][i];
+        x[first][i] = rest[0][i];
+        x[first + 1][i] = rest[1][i];
+        x[first + 2][i] = rest[2][i];
+      }
     }
   }
 
@@ -247,35 +415,35 @@ private:
     }
   }
 
-  struct MonomialTable
+  /// Where the products of monomials are in the table of moments: the sum of two of these.
+  struct Places
   {
-    int i[Rows];
-    int j[Rows];
+    int of[Rows];
   };
 
-  static constexpr MonomialTable MakeMonomials()
+  static constexpr Places MakePlaces()
   {
-    MonomialTable table{};
+    Places places{};
     for (int d = 0; d <= Degree; ++d)
     {
       for (int j = 0; j <= d; ++j)
       {
-        table.i[RowOf(MonomialIndex(d - j, j))] = d - j;
-        table.j[RowOf(MonomialIndex(d - j, j))] = j;
+        places.of[RowOf(MonomialIndex(d - j, j))] = j * Moments::Size + d - j;
       }
     }
-    return table;
+    return places;
   }
+
+  // Static, as tables of functions are copied in each call.
+  static constexpr Places PlaceOf = MakePlaces();
 
   static inline Vec MatrixElement(const Moments& moments, int row, int column)
   {
-    constexpr MonomialTable monomials = MakeMonomials();
-    if (row >= Size)
+    if (Rows > Size && row >= Size)
     {
       return Broadcast(row == column ? 1.0 : 0.0);
     }
-    return moments
-      .at[monomials.j[row] + monomials.j[column]][monomials.i[row] + monomials.i[column]];
+    return (&moments.at[0][0])[PlaceOf.of[row] + PlaceOf.of[column]];
   }
 
   /// A tile of the matrix, less the products of `scaled` and the factors left of it.

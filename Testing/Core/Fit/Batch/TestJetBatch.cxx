@@ -266,7 +266,7 @@ TEST(JetBatch, HighDegreesAgreeWithLongDouble)
 {
   for (const int degree : { 5, 6, 7, 8 })
   {
-    constexpr Id step = 29;
+    constexpr Id step = 113;
     CompareWithReference("ellipsoid", EllipsoidMesh(24, 1.4, 1.0, 0.6), degree, step);
     CompareWithReference(
       "noisy", AddNormalNoise(EllipsoidMesh(24, 1.4, 1.0, 0.6), 1e-3, 5), degree, step);
@@ -604,15 +604,15 @@ TEST(JetBatch, StandardErrorsAreThoseOfTheSolverForSinglePoints)
     {
       const NeighborhoodRule rule = RuleFor(degree);
       JetFitter fitter;
-      std::vector<JetErrors> expected;
-      std::vector<bool> isCertain;
-      for (Id p = 0; p < mesh.NumberOfPoints(); ++p)
+      std::vector<JetErrors> expected(mesh.NumberOfPoints());
+      std::vector<bool> isCertain(mesh.NumberOfPoints(), false);
+      for (Id p = 0; p < mesh.NumberOfPoints(); p += 7)
       {
         const JetFit fit = fitter.Fit(
           OffsetsAround(mesh, p, neighborhood, rule), degree, mesh.PointNormal(p), weighting);
-        expected.push_back(StandardErrors(fitter, fit));
+        expected[p] = StandardErrors(fitter, fit);
         const MongeForm form = MongeFormOfHeightJet(fit.jet, fit.frame);
-        isCertain.push_back(form.k1 - form.k2 > 1e-2 * std::abs(form.k2));
+        isCertain[p] = form.k1 - form.k2 > 1e-2 * std::abs(form.k2);
       }
       for (const JetBatchKernel& kernel : JetBatchKernels())
       {
