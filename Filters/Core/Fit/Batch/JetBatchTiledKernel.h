@@ -6,11 +6,10 @@
 #ifndef ridges_JetBatchTiledKernel_h
 #define ridges_JetBatchTiledKernel_h
 
-#include "Fit/Batch/JetBatchErrors.h"
 #include "Fit/Batch/JetBatchLocal.h"
 #include "Fit/Batch/JetBatchMonge.h"
-#include "Fit/Batch/JetBatchTiles.h"
-#include "Fit/DiskMoment.h"
+#include "Fit/Batch/JetBatchTiledErrors.h"
+#include "Fit/Batch/JetBatchTiledQuality.h"
 
 namespace
 {
@@ -64,12 +63,12 @@ inline Extents DivideByExtents(LocalPoints& points)
   return extents;
 }
 
-/// Coefficients by rows of the equations; those that fill up the last tile are zero.
+/// Coefficients by rows of the equations; those that fill up the first tile are zero.
 template <int Degree>
 inline void ToRows(const PowerSums<Degree>& table, Vec* rows)
 {
   using Equations = TiledEquations<Degree>;
-  for (int row = Equations::Size; row < Equations::Rows; ++row)
+  for (int row = 0; row < Equations::First; ++row)
   {
     rows[row] = Vec{};
   }
@@ -94,130 +93,6 @@ inline void AddRowsTo(PowerSums<Degree>& table, const Vec* rows)
   }
 }
 
-/// By the exponents of v and u. Static, as tables of functions are copied in each call.
-template <int Degree>
-struct DiskMoments
-{
-  struct Table
-  {
-    double at[2 * Degree + 1][2 * Degree + 1];
-  };
-
-  static constexpr Table Make()
-  {
-    Table all{};
-    for (int j = 0; j <= 2 * Degree; ++j)
-    {
-      for (int i = 0; i <= 2 * Degree; ++i)
-      {
-        all.at[j][i] = ridges::DiskMoment(i, j);
-      }
-    }
-    return all;
-  }
-
-  static constexpr Table Of = Make();
-};
-
-/// The scalar products over the unit disk of a polynomial and all monomials; the result is that
-/// with itself.
-template <int Degree>
-inline Vec ProductsOverDisk(const Vec* rows, Vec* products)
-{
-  using Equations = TiledEquations<Degree>;
-  Vec table[Degree + 1][Degree + 1];
-  for (int row = Equations::Size; row < Equations::Rows; ++row)
-  {
-    products[row] = Vec{};
-  }
-  for (int d = 0; d <= Degree; ++d)
-  {
-    for (int j = 0; j <= d; ++j)
-    {
-      table[j][d - j] = rows[Equations::RowOf(MonomialIndex(d - j, j))];
-    }
-  }
-  Vec square{};
-  for (int j = 0; j <= Degree; ++j)
-  {
-    for (int i = 0; i + j <= Degree; ++i)
-    {
-      Vec sum{};
-      for (int l = j % 2; l <= Degree; l += 2) // those of odd exponents are zero
-      {
-        const double* moments = DiskMoments<Degree>::Of.at[j + l] + i;
-        for (int k = i % 2; k + l <= Degree; k += 2)
-        {
-          sum += moments[k] * table[l][k];
-        }
-      }
-      products[Equations::RowOf(MonomialIndex(i, j))] = sum;
-      square += sum * table[j][i];
-    }
-  }
-  return square;
-}
-
-/// The variance of the third derivatives as a tensor, in units of the radius, for heights of unit
-/// variance.
-template <int Degree>
-inline Vec VarianceOfThirdOrder(const TiledEquations<Degree>& equations, const Extents& extents)
-{
-  using Equations = TiledEquations<Degree>;
-  Vec sum{};
-  for (int j = 0; j <= 3; ++j)
-  {
-    Vec unit = Broadcast(j == 0 || j == 3 ? 6.0 : 3.4641016151377544); // i! j! sqrt(3 over j)
-    for (int k = 0; k < 3; ++k)
-    {
-      unit *= k < j ? extents.perV : extents.perU;
-    }
-    const int first = Equations::RowOf(MonomialIndex(3 - j, j));
-    Vec x[NumberOfMonomials(3)];
-    for (int row = first; row < Equations::Size; ++row)
-    {
-      Vec value = row == first ? unit : Vec{};
-      for (int k = first; k < row; ++k)
-      {
-        value -= equations.Element(row, k) * x[k - first];
-      }
-      x[row - first] = value;
-      sum += value * value * equations.inverseD[row];
-    }
-  }
-  return sum;
-}
-
-/// What is known of the least squares.
-template <int Degree>
-inline void StoreTiledQuality(ridges::JetBatch& batch, const Frame& frame,
-  const TiledEquations<Degree>& equations, const Vec& totalWeight, const Extents& extents)
-{
-  using Equations = TiledEquations<Degree>;
-  // In terms of polynomials that are orthonormal over the unit disk, the inverse of the least
-  // singular value, by one step of inverse iteration. By experience their longest column is about
-  // this much longer than that of ones.
-  constexpr double longest = 1.7;
-  Vec probe[Equations::Rows];
-  Vec products[Equations::Rows];
-  equations.Probe(probe);
-  const Vec before = ProductsOverDisk<Degree>(probe, products);
-  Vec next[Equations::Rows];
-  for (int row = 0; row < Equations::Rows; ++row)
-  {
-    next[row] = products[row];
-  }
-  equations.Solve(next);
-  const Vec after = ProductsOverDisk<Degree>(next, products);
-  const Vec estimate = longest * Sqrt(totalWeight * Sqrt(after / before));
-  const Vec singular = Broadcast(ridges::JetBatchKernel::Singular);
-  Store(
-    batch.conditionNumber, frame.failed ? Vec{} : (equations.excess > 0.0 ? estimate : singular));
-  const Vec counts = Load(batch.counts);
-  const Vec freedom = Max(counts - static_cast<double>(Equations::Size), Broadcast(1.0));
-  Store(batch.noiseGain, Sqrt(VarianceOfThirdOrder<Degree>(equations, extents) * counts / freedom));
-}
-
 /// The coefficients up to order 4, in units of the radius, in rising order.
 template <int Degree>
 inline void ToUnitsOfRadius(
@@ -234,80 +109,6 @@ inline void ToUnitsOfRadius(
     }
     powerOfV *= extents.perV;
   }
-}
-
-/// As in JetBatchKernel.h. The gradients are of the last rows only; those left of the diagonal
-/// tiles come in before.
-template <int Degree>
-inline void SolveGradients(
-  const TiledEquations<Degree>& equations, Gradients& gradients, UnitVariances& unit)
-{
-  using Equations = TiledEquations<Degree>;
-  for (int q = 0; q < Quantities; ++q)
-  {
-    unit.of[q] = Vec{};
-  }
-  for (int index = MongeCoefficients - 1; index >= 0; --index)
-  {
-    const int row = Equations::RowOf(index);
-    auto& rest = gradients.at[index];
-    for (int before = MongeCoefficients - 1; before > index; --before)
-    {
-      const Vec factor = equations.Element(row, Equations::RowOf(before));
-#pragma GCC unroll 8
-      for (int q = 0; q < Quantities; ++q)
-      {
-        rest[q] -= factor * gradients.at[before][q];
-      }
-    }
-    const Vec inverse = equations.inverseD[row];
-#pragma GCC unroll 8
-    for (int q = 0; q < Quantities; ++q)
-    {
-      unit.of[q] += rest[q] * rest[q] * inverse;
-    }
-  }
-}
-
-template <int Degree>
-inline void WeighVariances(const LocalPoints& points, const TiledEquations<Degree>& equations,
-  const Gradients& solved, const Vec& totalWeight, UnitVariances& unit)
-{
-  using Equations = TiledEquations<Degree>;
-  BeginWeighted(unit, totalWeight);
-  ForMonomials<Degree>(points,
-    [&equations, &solved, &unit](const auto& monomials, const auto& weights)
-    {
-      Vec x[Equations::Rows][Together]{};
-      for (int k = 0; k < Equations::Size; ++k)
-      {
-        for (int i = 0; i < Together; ++i)
-        {
-          x[Equations::RowOf(k)][i] = monomials[k][i];
-        }
-      }
-      equations.SolveForward(x);
-      AddWeighted(
-        x, equations.inverseD, Equations::Size, solved, MongeCoefficients,
-        [](int k) { return Equations::RowOf(k); }, weights, unit);
-    });
-}
-
-template <int Degree>
-__attribute__((noinline)) void StoreErrorsOf(ridges::JetBatch& batch, const Frame& frame,
-  const LocalPoints& points, const Extents& extents, const TiledEquations<Degree>& equations,
-  const Vec& totalWeight)
-{
-  Gradients gradients;
-  SetGradients(batch, frame, extents, gradients);
-  UnitVariances unit;
-  SolveGradients<Degree>(equations, gradients, unit);
-  unit.freedom = Load(batch.counts) - static_cast<double>(TiledEquations<Degree>::Size);
-  if (batch.weighted)
-  {
-    WeighVariances<Degree>(points, equations, gradients, totalWeight, unit);
-  }
-  StoreErrors<Degree>(batch, totalWeight, unit);
 }
 
 template <int Degree>
