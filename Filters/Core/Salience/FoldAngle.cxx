@@ -19,8 +19,9 @@ Fold FoldMeter::Measure(Color color, Id edge, const Eigen::Vector3d& point)
 {
   const Edge& sides = this->Mesh_.EdgeAt(edge);
   double peak = -std::numeric_limits<double>::infinity();
-  const double leastLeft = this->Walk(color, sides.t0, edge, point, peak, this->Left_);
-  const double leastRight = this->Walk(color, sides.t1, edge, point, peak, this->Right_);
+  const double leastLeft = this->Walk(color, sides.t0, edge, point, 0.0, peak, this->Left_);
+  const double leastRight =
+    this->Walk(color, sides.t1, edge, point, std::max(0.0, leastLeft), peak, this->Right_);
   Fold fold;
   const double foot = std::max({ 0.0, leastLeft, leastRight });
   if (!(peak > foot))
@@ -37,9 +38,10 @@ Fold FoldMeter::Measure(Color color, Id edge, const Eigen::Vector3d& point)
   return fold;
 }
 
-/// Samples one side; the result is the least f, or 0 where there is no way.
-double FoldMeter::Walk(
-  Color color, Id triangle, Id edge, const Eigen::Vector3d& point, double& peak, Samples& samples)
+/// Samples one side; the result is the least f, or 0 where there is no way. Once f is down at
+/// `stop` the foot, which is not below that, does not depend on this side, and the fold ends there.
+double FoldMeter::Walk(Color color, Id triangle, Id edge, const Eigen::Vector3d& point, double stop,
+  double& peak, Samples& samples)
 {
   samples.clear();
   if (triangle < 0 || !this->Walk_.Start(color, triangle, edge, point))
@@ -51,10 +53,13 @@ double FoldMeter::Walk(
   double own = least;
   double arc = 0.0;
   samples.push_back({ 0.0, least });
+  const auto isDecided = [this, &arc, &least, stop]()
+  { return arc > this->Rule_.slack && least <= stop; };
   // A feature is some hundred edges wide at most. Where a few points are very far away, so that the
   // reach is a million edges of the rest, walks would go around in circles.
   constexpr std::size_t mostSamples = 10'000;
-  while (arc < this->Rule_.reach && samples.size() < mostSamples && this->Walk_.Step())
+  while (arc < this->Rule_.reach && samples.size() < mostSamples && !isDecided() &&
+    this->Walk_.Step())
   {
     const double step = this->Walk_.StepLength();
     double f = sign * this->Walk_.Curvature();

@@ -60,8 +60,8 @@ private:
   };
   using Samples = std::vector<Sample>;
 
-  double Walk(Color color, Id triangle, Id edge, const Eigen::Vector3d& point, double& peak,
-    Samples& samples);
+  double Walk(Color color, Id triangle, Id edge, const Eigen::Vector3d& point, double stop,
+    double& peak, Samples& samples);
   /// The part of one side.
   static Fold FoldOf(const Samples& samples, double foot);
 
