@@ -52,6 +52,12 @@ namespace
 /// hardly a feature of that scale left, and slow bends of the whole body would count as folds.
 constexpr double Reach = 8.0;
 
+/// How far ends of lines may be from the corner where they meet, in units of the scale reached, and
+/// the degrees by which they fold. So creases of parts are led to their corners, even if one fades
+/// before; lines of scans that fold less do not meet.
+constexpr double CornerReach = 6.0;
+constexpr double CornerAngle = 60.0;
+
 /// What curvature at a ridge exceeds that at the foot by, as a part of itself.
 constexpr double LeastRise = 0.15;
 
@@ -355,6 +361,9 @@ bool vtkSalientRidges::vtkInternals::FindLines(
     }
     lines.Add(found[i], folds[i], ridges::SelectSalient(found[i], folds[i], rule));
   }
+  const double reach = CornerReach * ScaleReached(monge);
+  const double angle = std::max(rule.angle, vtkMath::RadiansFromDegrees(CornerAngle));
+  lines.MeetAtCorners(monge.arrays.GetField(), { reach, angle });
   lines.Store(output);
   return true;
 }

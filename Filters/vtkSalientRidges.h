@@ -27,7 +27,8 @@
  * | Curvature, SecondDerivative, EdgePoint0, EdgePoint1, EdgeParameter | points | as there        |
  *
  * and in field data NoiseFloor, the standard deviation of a curvature that is due to noise (1/L).
- * A line may contain gaps that were bridged, which are parts of the same ridge.
+ * A line may contain gaps that were bridged, which are parts of the same ridge, and begin or end
+ * with a straight piece to a point of the mesh: a corner where creases meet.
  *
  * Output port 1: the mesh with the arrays of vtkMongeSmoothing and vtkUmbilicDetection. Output port
  * 2: the umbilics of the smoothed field, as vtkUmbilicDetection outputs them.

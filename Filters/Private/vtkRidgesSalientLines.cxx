@@ -152,6 +152,37 @@ void vtkRidgesSalientLines::Add(const std::vector<ridges::RidgeTrace>& ridges,
   }
 }
 
+void vtkRidgesSalientLines::MeetAtCorners(
+  const ridges::MongeField& field, const ridges::CornerRule& rule)
+{
+  std::vector<ridges::LineOfRidge> lines;
+  for (Entry& entry : this->Entries)
+  {
+    lines.push_back({ &entry.line, entry.ridge, entry.folds });
+  }
+  ridges::MeetAtCorners(this->Mesh, field, rule, lines);
+}
+
+/// The vertices with their folds, corners included, which have those of the line's end.
+std::vector<vtkRidgesSalientLines::Vertex> vtkRidgesSalientLines::VerticesOf(const Entry& entry)
+{
+  std::vector<Vertex> vertices;
+  const std::vector<Id>& ids = entry.line.vertices;
+  if (entry.line.startCorner)
+  {
+    vertices.push_back({ &*entry.line.startCorner, &(*entry.folds)[ids.front()] });
+  }
+  for (const Id id : ids)
+  {
+    vertices.push_back({ &entry.ridge->vertices[id], &(*entry.folds)[id] });
+  }
+  if (entry.line.endCorner)
+  {
+    vertices.push_back({ &*entry.line.endCorner, &(*entry.folds)[ids.back()] });
+  }
+  return vertices;
+}
+
 void vtkRidgesSalientLines::Store(vtkPolyData* output) const
 {
   std::vector<const Entry*> order;
@@ -170,7 +201,7 @@ void vtkRidgesSalientLines::Store(vtkPolyData* output) const
   std::vector<ridges::RidgePoint> points;
   for (const Entry* entry : order)
   {
-    const std::vector<Id>& vertices = entry->line.vertices;
+    const std::vector<Vertex> vertices = VerticesOf(*entry);
     const auto ridge =
       ridgeIds.insert({ entry->ridge, static_cast<vtkIdType>(ridgeIds.size()) }).first->second;
     points.clear();
@@ -179,15 +210,14 @@ void vtkRidgesSalientLines::Store(vtkPolyData* output) const
     vtkIdType first = -1;
     for (std::size_t i = 0; i < vertices.size(); ++i)
     {
-      const ridges::RidgeVertex& vertex = entry->ridge->vertices[vertices[i]];
+      const ridges::RidgeVertex& vertex = *vertices[i].vertex;
       points.push_back(vertex.point);
       if (i > 0)
       {
         arc += (vertex.point.position - points[i - 1].position).norm();
       }
       const bool returns = entry->line.closed && i + 1 == vertices.size();
-      const vtkIdType id =
-        returns ? first : pointWriter.Insert(vertex, (*entry->folds)[vertices[i]], arc);
+      const vtkIdType id = returns ? first : pointWriter.Insert(vertex, *vertices[i].fold, arc);
       first = i == 0 ? id : first;
       lines->InsertCellPoint(id);
     }

@@ -3,7 +3,7 @@
 #ifndef vtkRidgesSalientLines_h
 #define vtkRidgesSalientLines_h
 
-#include "Core/Salience/SalientSelection.h"
+#include "Core/Salience/LineCorners.h"
 #include "vtkRidgesCompatibility.h"
 
 #include <vector>
@@ -30,6 +30,9 @@ public:
   void Add(const std::vector<ridges::RidgeTrace>& ridges,
     const std::vector<ridges::RidgeFolds>& folds, std::vector<ridges::SalientLine> lines);
 
+  /// Lengthens lines to where they meet.
+  void MeetAtCorners(const ridges::MongeField& field, const ridges::CornerRule& rule);
+
   /// Stores all, the most massive first.
   void Store(vtkPolyData* output) const;
 
@@ -40,6 +43,13 @@ private:
     const ridges::RidgeTrace* ridge;
     const ridges::RidgeFolds* folds;
   };
+
+  struct Vertex
+  {
+    const ridges::RidgeVertex* vertex;
+    const ridges::Fold* fold;
+  };
+  static std::vector<Vertex> VerticesOf(const Entry& entry);
 
   const ridges::TriangleMesh& Mesh;
   double Diameter;

@@ -17,9 +17,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
+#include <map>
+#include <vector>
 
 using namespace ridges::testing;
+using Eigen::Vector3d;
 namespace names = vtkRidgesArrayNames;
 
 namespace
@@ -33,6 +38,48 @@ Mesh RoofAndValley(double noise = 0.0)
   return AddNormalNoise(
     GraphPatch([&fold](double x, double) { return fold(x + 0.5) - fold(x - 0.5); }, 1.0, 80, 0.2),
     noise, 1);
+}
+
+/// The surface of [-1, 1]^3, with so many cells along each edge.
+Mesh CubeMesh(int cells)
+{
+  std::map<std::array<int, 3>, std::int32_t> ids;
+  Mesh mesh;
+  const auto idOf = [&ids, &mesh, cells](const std::array<int, 3>& place)
+  {
+    const auto inserted = ids.insert({ place, static_cast<std::int32_t>(ids.size()) });
+    if (inserted.second)
+    {
+      mesh.AddPoint(Vector3d(place[0], place[1], place[2]) * (2.0 / cells) - Vector3d::Ones());
+    }
+    return inserted.first->second;
+  };
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    for (const int level : { 0, cells })
+    {
+      for (int i = 0; i < cells * cells; ++i)
+      {
+        const auto at = [axis, level, cells, i](int u, int v)
+        {
+          std::array<int, 3> place{};
+          place[axis] = level;
+          place[(axis + 1) % 3] = i % cells + u;
+          place[(axis + 2) % 3] = i / cells + v;
+          return place;
+        };
+        std::array<std::int32_t, 4> corners{ idOf(at(0, 0)), idOf(at(1, 0)), idOf(at(1, 1)),
+          idOf(at(0, 1)) };
+        if (level == 0)
+        {
+          std::reverse(corners.begin(), corners.end());
+        }
+        mesh.AddTriangle(corners[0], corners[1], corners[2]);
+        mesh.AddTriangle(corners[0], corners[2], corners[3]);
+      }
+    }
+  }
+  return mesh;
 }
 
 vtkSmartPointer<vtkSalientRidges> Find(vtkPolyData* mesh, double angle = 15.0)
@@ -137,6 +184,72 @@ TEST(SalientRidges, DescribesItsLines)
   for (vtkPolyData* output : { lines, mesh })
   {
     ASSERT_NE(output->GetFieldData()->GetArray(names::NoiseFloor), nullptr);
+  }
+}
+
+// Smoothing ends creases before the corners. Each corner is the end of lines all the same, and
+// together these cover the edges.
+TEST(SalientRidges, CreasesMeetAtTheCornersOfACube)
+{
+  constexpr int cells = 24;
+  const auto mesh = ToPolyData(CubeMesh(cells));
+  const auto salient = Find(mesh, 25.0);
+  vtkPolyData* lines = salient->GetOutput();
+  std::vector<Vector3d> points;
+  for (vtkIdType i = 0; i < lines->GetNumberOfLines(); ++i)
+  {
+    vtkIdList* ids = lines->GetCell(i)->GetPointIds();
+    for (vtkIdType j = 0; j + 1 < ids->GetNumberOfIds(); ++j)
+    {
+      const Vector3d from = PointAt(lines, ids->GetId(j));
+      const Vector3d to = PointAt(lines, ids->GetId(j + 1));
+      for (int k = 0; k <= 8; ++k)
+      {
+        points.push_back(from + k / 8.0 * (to - from));
+      }
+    }
+  }
+  const auto distance = [&points](const Vector3d& x)
+  {
+    double least = 10.0;
+    for (const Vector3d& point : points)
+    {
+      least = std::min(least, (point - x).norm());
+    }
+    return least;
+  };
+  const double edge = 2.0 / cells;
+  double covered = 0.0;
+  constexpr int steps = 48;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    for (int side = 0; side < 4; ++side)
+    {
+      for (int i = 0; i <= steps; ++i)
+      {
+        Vector3d x;
+        x[axis] = -1.0 + 2.0 * i / steps;
+        x[(axis + 1) % 3] = side % 2 == 0 ? -1.0 : 1.0;
+        x[(axis + 2) % 3] = side < 2 ? -1.0 : 1.0;
+        covered += distance(x) <= edge ? 1.0 : 0.0;
+      }
+    }
+  }
+  EXPECT_GE(covered / (12.0 * (steps + 1)), 0.98);
+  for (const Vector3d& point : points)
+  {
+    int faces = 0; // that it is near: an edge is in two
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      faces += std::abs(std::abs(point[axis]) - 1.0) <= edge ? 1 : 0;
+    }
+    EXPECT_GE(faces, 2);
+  }
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    const Vector3d x(
+      corner % 2 == 0 ? -1.0 : 1.0, corner / 2 % 2 == 0 ? -1.0 : 1.0, corner < 4 ? -1.0 : 1.0);
+    EXPECT_LE(distance(x), edge) << corner;
   }
 }
 

@@ -46,7 +46,8 @@ public:
   double LengthOf(Id piece) const { return piece < 0 ? 0.0 : this->Lengths_[piece]; }
   double LengthAt(Id point) const
   {
-    return 0.5 * (this->LengthOf(this->PieceBefore(point)) + this->LengthOf(this->PieceBehind(point)));
+    return 0.5 *
+      (this->LengthOf(this->PieceBefore(point)) + this->LengthOf(this->PieceBehind(point)));
   }
   bool IsElliptic(Id piece) const
   {

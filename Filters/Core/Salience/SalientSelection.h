@@ -6,6 +6,7 @@
 #include "Ridges/RidgeTrace.h"
 #include "Salience/FoldAngle.h"
 
+#include <optional>
 #include <vector>
 
 namespace ridges
@@ -31,6 +32,9 @@ struct SalientLine
   double mass = 0.0;
   double angle = 0.0;      ///< The largest.
   double confidence = 0.0; ///< Share of the length that is elliptic and above the floor.
+  /// Before the first and behind the last vertex, where the line was lengthened to a corner.
+  std::optional<RidgeVertex> startCorner;
+  std::optional<RidgeVertex> endCorner;
 };
 
 /**
