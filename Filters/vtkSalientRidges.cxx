@@ -282,7 +282,7 @@ bool vtkSalientRidges::vtkInternals::FindColor(ridges::Color color, const vtkRid
 {
   if (!search.Find(this->Filter, color, from, from + 0.05, found) ||
     !vtkRidgesMeasureFolds(this->Filter, from + 0.05, from + 0.15, monge.mesh.GetTriangles(),
-      monge.arrays.GetField(), rule, found, folds))
+      monge.arrays.GetField(), rule, this->Filter->CrestOnly, found, folds))
   {
     return false;
   }

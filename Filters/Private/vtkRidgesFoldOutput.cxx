@@ -49,7 +49,7 @@ bool vtkRidgesFoldOutput::Measure(
 {
   const ridges::FoldRule rule = this->MakeRule();
   return vtkRidgesMeasureFolds(filter, from, to, this->Monge.mesh.GetTriangles(),
-    this->Monge.arrays.GetField(), rule, ridges, this->Folds);
+    this->Monge.arrays.GetField(), rule, false, ridges, this->Folds);
 }
 
 void vtkRidgesFoldOutput::StoreNoiseFloor(vtkPolyData* output) const

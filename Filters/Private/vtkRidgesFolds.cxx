@@ -36,11 +36,24 @@ struct MeasureFolds
   }
 };
 
+bool IsCrestSomewhere(const ridges::RidgeTrace& ridge)
+{
+  for (std::size_t i = 0; i < ridge.types.size(); ++i)
+  {
+    if (ridge.IsCrest(static_cast<ridges::Id>(i)))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
 } // namespace
 
 bool vtkRidgesMeasureFolds(vtkAlgorithm* filter, double from, double to,
   const ridges::TriangleMesh& mesh, const ridges::MongeField& field, const ridges::FoldRule& rule,
-  const std::vector<ridges::RidgeTrace>& ridges, std::vector<ridges::RidgeFolds>& folds)
+  bool crestOnly, const std::vector<ridges::RidgeTrace>& ridges,
+  std::vector<ridges::RidgeFolds>& folds)
 {
   folds.resize(ridges.size());
   std::vector<Place> places;
@@ -48,6 +61,10 @@ bool vtkRidgesMeasureFolds(vtkAlgorithm* filter, double from, double to,
   {
     const ridges::RidgeTrace& ridge = ridges[i];
     folds[i].assign(ridge.vertices.size(), ridges::Fold());
+    if (crestOnly && !IsCrestSomewhere(ridge))
+    {
+      continue;
+    }
     for (std::size_t j = 0; j < ridge.vertices.size(); ++j)
     {
       const bool isElliptic = (j > 0 && ridges::IsElliptic(ridge.types[j - 1])) ||

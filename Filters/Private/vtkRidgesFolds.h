@@ -14,11 +14,13 @@ class vtkAlgorithm;
 VTK_ABI_NAMESPACE_END
 
 /**
- * Measures the folds at the vertices of ridges, in parallel, private to the module. False if the
+ * Measures the folds at the vertices of ridges, in parallel, private to the module; with
+ * `crestOnly` only of ridges that are crest lines somewhere, the others have none. False if the
  * user aborted the filter, whose progress runs from `from` to `to`.
  */
 bool vtkRidgesMeasureFolds(vtkAlgorithm* filter, double from, double to,
   const ridges::TriangleMesh& mesh, const ridges::MongeField& field, const ridges::FoldRule& rule,
-  const std::vector<ridges::RidgeTrace>& ridges, std::vector<ridges::RidgeFolds>& folds);
+  bool crestOnly, const std::vector<ridges::RidgeTrace>& ridges,
+  std::vector<ridges::RidgeFolds>& folds);
 
 #endif

@@ -71,7 +71,8 @@ public:
     double distance = 0.0;
     double angle = 0.0;
     Eigen::Vector3d inside = this->Position();
-    for (std::size_t i = 0; i < this->Line_.line->vertices.size() && distance < 0.5 * rule.reach; ++i)
+    for (std::size_t i = 0; i < this->Line_.line->vertices.size() && distance < 0.5 * rule.reach;
+         ++i)
     {
       const Eigen::Vector3d here = this->Vertex(i).point.position;
       distance += (here - inside).norm();
@@ -123,10 +124,8 @@ bool AreMeeting(const End& a, const End& b, double reach)
   }
   const double alongA = between.dot(a.Direction());
   const double alongB = between.dot(b.Direction());
-  const Eigen::Vector3d ofA =
-    a.Position() + (alongA - cosine * alongB) / square * a.Direction();
-  const Eigen::Vector3d ofB =
-    b.Position() + (cosine * alongA - alongB) / square * b.Direction();
+  const Eigen::Vector3d ofA = a.Position() + (alongA - cosine * alongB) / square * a.Direction();
+  const Eigen::Vector3d ofB = b.Position() + (cosine * alongA - alongB) / square * b.Direction();
   return (ofA - ofB).norm() <= LargestMiss * reach && a.CanReach(ofA, reach) &&
     b.CanReach(ofB, reach);
 }

@@ -26,9 +26,9 @@ struct CornerRule
 };
 
 /**
- * Lengthens lines to the corners where creases meet. Smoothing ends a crease one to three deviations
- * before its corner. Ends that point to one place within their reach are led to the point of the
- * mesh next to it: the place nearest to all of them, gone on straight.
+ * Lengthens lines to the corners where creases meet. Smoothing ends a crease one to three
+ * deviations before its corner. Ends that point to one place within their reach are led to the
+ * point of the mesh next to it: the place nearest to all of them, gone on straight.
  */
 void MeetAtCorners(const TriangleMesh& mesh, const MongeField& field, const CornerRule& rule,
   const std::vector<LineOfRidge>& lines);
