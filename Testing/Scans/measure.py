@@ -7,7 +7,9 @@ and on a subdivision after Loop with noise of a tenth of an edge. Printed are th
 length of one that has a line of the other, of the same colour, within one and a half edges of the
 coarser mesh, both ways. Options are properties of vtkSalientRidges, as FoldAngle=25. With the word
 "controls" as mesh: the length of lines on surfaces that have none, with noise of 0, 0.05, 0.1 and
-0.2 edges.
+0.2 edges. With "creases:" before the name of the mesh of a part: how much of its creases, the edges
+at which it turns by 20 degrees or more, has lines within one and a half edges, and the length of
+lines that are farther from creases, with noise of 0, 0.005 and 0.02 edges.
 
 Not run by ctest: the meshes are not part of this project, and it takes a minute.
 """
@@ -160,6 +162,51 @@ def measure(path, options):
     print("; ".join(texts), flush=True)
 
 
+def crease_points(mesh, least_angle=20.0):
+    """Points along the edges at which the surface turns by an angle, and the length of each."""
+    points, triangles = arrays_of(mesh)
+    a, b, c = (points[triangles[:, i]] for i in range(3))
+    normals = np.cross(b - a, c - a)
+    normals /= np.linalg.norm(normals, axis=1)[:, None]
+    sides = np.sort(np.concatenate([triangles[:, [i, (i + 1) % 3]] for i in range(3)]), axis=1)
+    faces = np.tile(np.arange(len(triangles)), 3)
+    order = np.lexsort((sides[:, 1], sides[:, 0]))
+    sides, faces = sides[order], faces[order]
+    twice = np.flatnonzero((sides[1:] == sides[:-1]).all(axis=1))
+    cosines = (normals[faces[twice]] * normals[faces[twice + 1]]).sum(axis=1)
+    sharp = sides[twice[cosines < np.cos(np.radians(least_angle))]]
+    fractions = (np.arange(6) + 0.5) / 6
+    start, end = points[sharp[:, 0]], points[sharp[:, 1]]
+    places = start[:, None] + fractions[None, :, None] * (end - start)[:, None]
+    lengths = np.linalg.norm(end - start, axis=1)[:, None] / 6
+    return places.reshape(-1, 3), np.broadcast_to(lengths, places.shape[:2]).ravel()
+
+
+def are_near(points, others, tolerance):
+    near = np.zeros(len(points), dtype=bool)
+    for begin in range(0, len(points) if len(others) else 0, 256):
+        chunk = points[begin : begin + 256]
+        squares = ((chunk[:, None] - others[None]) ** 2).sum(axis=2).min(axis=1)
+        near[begin : begin + 256] = squares <= tolerance**2
+    return near
+
+
+def measure_creases(path, options):
+    mesh = read(path)
+    edge = mean_edge(mesh)
+    size = size_of(mesh)
+    places, lengths = crease_points(mesh)
+    for noise in (0.0, 0.005, 0.02):
+        lines = Lines(add_noise(mesh, noise), edge / 3, options)
+        covered = lengths[are_near(places, lines.positions, 1.5 * edge)].sum() / lengths.sum()
+        false = lines.lengths[~are_near(lines.positions, places, 1.5 * edge)].sum() / size
+        print(
+            f"{path}, noise {noise}: {lines.count} lines, covered {covered:.3f}, "
+            f"false {false:.2f} D",
+            flush=True,
+        )
+
+
 def grid(count, around, function):
     """A mesh over [0, 1) x [0, 1], closed in the first direction if `around`."""
     u, v = np.meshgrid(np.arange(count) / (count - (not around)), np.linspace(0, 1, count))
@@ -218,6 +265,8 @@ def main(arguments):
             options[name] = type(getattr(vtkridges.vtkSalientRidges(), "Get" + name)())(float(value))
         elif argument == "controls":
             controls(options)
+        elif argument.startswith("creases:"):
+            measure_creases(argument[len("creases:") :], options)
         else:
             measure(argument, options)
 
