@@ -46,6 +46,11 @@ constexpr const char* MongeInputs[] = { MaximumCurvature, MinimumCurvature, Maxi
 constexpr const char* SelectedNumberOfRings = "SelectedNumberOfRings";
 ///@}
 
+/// @name Mesh, field data, of vtkImplicitSurfaceMesh
+///@{
+constexpr const char* Formula = "Formula";
+///@}
+
 /// @name Mesh, cell data, of vtkUmbilicDetection
 ///@{
 constexpr const char* UmbilicPatch = "UmbilicPatch";

@@ -47,6 +47,8 @@ def properties(proxy):
 
 
 def values(element):
+    if element.tag == "StringVectorProperty":
+        return [element.get("default_values")]
     number = int if element.tag.startswith("Int") else float
     return [number(text) for text in element.get("default_values").split()]
 
@@ -102,7 +104,8 @@ class TestParaViewProxies(unittest.TestCase):
             default = Setting(element, instance).get()
             self.assertEqual(values(element), default)
             self.assertEqual(len(default), int(element.get("number_of_elements")))
-            kind = float if element.tag == "DoubleVectorProperty" else int  # bool is an int
+            kinds = {"DoubleVectorProperty": float, "StringVectorProperty": str}
+            kind = kinds.get(element.tag, int)  # bool is an int
             self.assertIsInstance(default[0], kind)
             self.assertEqual(
                 isinstance(default[0], bool), element.find("BooleanDomain") is not None

@@ -11,7 +11,7 @@ namespace ridges
 
 /// Eight doubles that are computed with at once, each for itself: compilers make vector
 /// instructions of it, and what is decided once for all eight costs little.
-struct alignas(64) Lanes
+struct Lanes
 {
   static constexpr int Count = 8;
 
@@ -54,20 +54,37 @@ struct alignas(64) Lanes
     return *this;
   }
 
-  friend Lanes operator+(Lanes a, const Lanes& b) { return a += b; }
-  friend Lanes operator-(Lanes a, const Lanes& b) { return a -= b; }
-  friend Lanes operator*(Lanes a, const Lanes& b) { return a *= b; }
-  friend Lanes operator/(Lanes a, const Lanes& b) { return a /= b; }
+  friend Lanes operator+(const Lanes& a, const Lanes& b)
+  {
+    Lanes result = a;
+    return result += b;
+  }
+  friend Lanes operator-(const Lanes& a, const Lanes& b)
+  {
+    Lanes result = a;
+    return result -= b;
+  }
+  friend Lanes operator*(const Lanes& a, const Lanes& b)
+  {
+    Lanes result = a;
+    return result *= b;
+  }
+  friend Lanes operator/(const Lanes& a, const Lanes& b)
+  {
+    Lanes result = a;
+    return result /= b;
+  }
 
   /// A function of each of them.
   template <typename Function>
-  static Lanes Map(Lanes a, const Function& function)
+  static Lanes Map(const Lanes& a, const Function& function)
   {
-    for (double& value : a.values)
+    Lanes result;
+    for (int i = 0; i < Count; ++i)
     {
-      value = function(value);
+      result.values[i] = function(a.values[i]);
     }
-    return a;
+    return result;
   }
 
   std::array<double, Count> values{};
