@@ -3,6 +3,7 @@
 #include "vtkRidgesFormulaSurface.h"
 
 #include "Core/Formula/FormulaParser.h"
+#include "Core/Formula/PointwiseFunction.h"
 #include "vtkJetFunction.h"
 
 #include <algorithm>
@@ -11,8 +12,8 @@
 namespace
 {
 
-/// What a subclass of vtkJetFunction evaluates, point by point.
-class UserFunction : public ridges::JetFunction
+/// What a subclass of vtkJetFunction evaluates.
+class UserFunction : public ridges::PointwiseFunction
 {
 public:
   explicit UserFunction(vtkJetFunction* function)
@@ -20,88 +21,13 @@ public:
   {
   }
 
-  Jet1 Linear(const ridges::LaneVector3& x) const override
+protected:
+  void Evaluate(const Eigen::Vector3d& x, int order, double* coefficients) const override
   {
-    Jet1 result;
-    for (int lane = 0; lane < ridges::Lanes::Count; ++lane)
-    {
-      std::array<double, Jet1::Size> values{};
-      this->Evaluate(x, lane, 1, values.data());
-      const ridges::Taylor3<1> jet =
-        ridges::Taylor3<1>::Linear(values[0], values[1], values[2], values[3]);
-      SetLane(result, jet, lane);
-    }
-    return result;
-  }
-
-  Jet4 Full(const ridges::LaneVector3& x,
-    const std::array<ridges::LaneVector3, 3>& axes) const override
-  {
-    Jet4 result;
-    for (int lane = 0; lane < ridges::Lanes::Count; ++lane)
-    {
-      std::array<double, Jet4::Size> values{};
-      this->Evaluate(x, lane, 4, values.data());
-      std::array<ridges::Taylor3<4>, 3> offset;
-      for (int i = 0; i < 3; ++i)
-      {
-        offset[i] =
-          ridges::Taylor3<4>::Linear(0.0, axes[0][i][lane], axes[1][i][lane], axes[2][i][lane]);
-      }
-      SetLane(result, Substituted(values, offset), lane);
-    }
-    return result;
+    this->Function->EvaluateJet(x.data(), order, coefficients);
   }
 
 private:
-  using Jet = ridges::Taylor3<4>;
-
-  void Evaluate(const ridges::LaneVector3& x, int lane, int order, double* values) const
-  {
-    const double point[3] = { x[0][lane], x[1][lane], x[2][lane] };
-    this->Function->EvaluateJet(point, order, values);
-  }
-
-  /// The polynomial with these coefficients, of three polynomials: by Horner's rule.
-  static Jet Substituted(
-    const std::array<double, Jet4::Size>& values, const std::array<Jet, 3>& offset)
-  {
-    Jet inX;
-    for (int i = 4; i >= 0; --i)
-    {
-      Jet inY;
-      for (int j = 4 - i; j >= 0; --j)
-      {
-        Jet inZ;
-        for (int k = 4 - i - j; k >= 0; --k)
-        {
-          inZ = inZ * offset[2] + Jet(values[Jet::Index(i, j, k)]);
-        }
-        inY = inY * offset[1] + inZ;
-      }
-      inX = inX * offset[0] + inY;
-    }
-    return inX;
-  }
-
-  template <int Degree>
-  static void SetLane(ridges::Taylor3<Degree, ridges::Lanes>& lanes,
-    const ridges::Taylor3<Degree>& jet, int lane)
-  {
-    for (int i = 0; i <= Degree; ++i)
-    {
-      for (int j = 0; i + j <= Degree; ++j)
-      {
-        for (int k = 0; i + j + k <= Degree; ++k)
-        {
-          ridges::Lanes value = lanes(i, j, k);
-          value[lane] = jet(i, j, k);
-          lanes.Set(i, j, k, value);
-        }
-      }
-    }
-  }
-
   vtkJetFunction* Function;
 };
 

@@ -143,94 +143,143 @@ bool IsClose(double distance, const MongeForm& form, double resolution)
   return distance * curvature <= enough || distance <= 8.0 * resolution;
 }
 
+/// Newton's method for the points of all lanes, each until it is done.
+class NewtonIteration
+{
+public:
+  NewtonIteration(const JetFunction& function, SurfacePoints& points)
+    : Function_(function)
+    , Points_(points)
+    , Trial_(points)
+    , Here_(function, points)
+    , Left_(points.count)
+  {
+    this->Share_.fill(1.0);
+    for (int lane = 0; lane < points.count; ++lane)
+    {
+      points.fault[lane] = this->Here_.IsFinite(lane) ? ExactFault::None : ExactFault::NotFinite;
+      if (points.fault[lane] != ExactFault::None)
+      {
+        this->MarkDone(lane);
+      }
+    }
+  }
+
+  bool GoesOn() const { return this->Left_ > 0; }
+
+  void Step()
+  {
+    for (int lane = 0; lane < this->Points_.count; ++lane)
+    {
+      if (!this->IsDone_[lane])
+      {
+        this->Aim(lane);
+      }
+    }
+    if (!this->GoesOn())
+    {
+      return;
+    }
+    const Linearization there(this->Function_, this->Trial_);
+    for (int lane = 0; lane < this->Points_.count; ++lane)
+    {
+      if (!this->IsDone_[lane])
+      {
+        this->Accept(lane, there);
+      }
+    }
+  }
+
+  /// Normals and faults.
+  void Finish(const SurfacePoints& start)
+  {
+    for (int lane = 0; lane < this->Points_.count; ++lane)
+    {
+      ExactFault& fault = this->Points_.fault[lane];
+      const double length = this->Here_.gradient[lane].norm();
+      if (fault == ExactFault::None)
+      {
+        fault = this->FaultOf(lane, length, start.position[lane]);
+      }
+      this->Points_.normal[lane] = fault == ExactFault::None
+        ? Eigen::Vector3d(this->Here_.gradient[lane] / length)
+        : Eigen::Vector3d::Zero();
+    }
+  }
+
+private:
+  void MarkDone(int lane)
+  {
+    this->IsDone_[lane] = true;
+    --this->Left_;
+  }
+
+  void Aim(int lane)
+  {
+    const Eigen::Vector3d& position = this->Points_.position[lane];
+    const Eigen::Vector3d move = this->Share_[lane] * this->Here_.NewtonStep(lane);
+    this->Length_[lane] = move.norm();
+    this->Trial_.position[lane] = position + move;
+    // A gradient of 0 makes it infinite or, on the surface, not a number.
+    if (!std::isfinite(this->Length_[lane]) || this->Length_[lane] <= 2.0 * Resolution(position))
+    {
+      this->Trial_.position[lane] = position;
+      this->MarkDone(lane);
+    }
+  }
+
+  void Accept(int lane, const Linearization& there)
+  {
+    double& share = this->Share_[lane];
+    if (there.IsFinite(lane) && std::abs(there.value[lane]) < std::abs(this->Here_.value[lane]))
+    {
+      this->Points_.position[lane] = this->Trial_.position[lane];
+      this->Here_.value[lane] = there.value[lane];
+      this->Here_.gradient[lane] = there.gradient[lane];
+      share = 1.0;
+    }
+    else if (share == 1.0 && this->Length_[lane] <= 64.0 * Resolution(this->Points_.position[lane]))
+    {
+      this->MarkDone(lane); // no better point can be represented
+    }
+    else
+    {
+      share *= 0.5;
+    }
+  }
+
+  ExactFault FaultOf(int lane, double gradient, const Eigen::Vector3d& start) const
+  {
+    if (!(gradient > 0.0))
+    {
+      return this->Here_.value[lane] == 0.0 ? ExactFault::Singular : ExactFault::NoConvergence;
+    }
+    const double step = this->Here_.NewtonStep(lane).norm();
+    return IsSettled(step, start, this->Points_.position[lane]) ? ExactFault::None
+                                                                : ExactFault::NoConvergence;
+  }
+
+  const JetFunction& Function_;
+  SurfacePoints& Points_;
+  SurfacePoints Trial_;
+  Linearization Here_;
+  std::array<double, Lanes::Count> Share_; ///< Of Newton's step that is made.
+  std::array<double, Lanes::Count> Length_{};
+  std::array<bool, Lanes::Count> IsDone_{};
+  int Left_;
+};
+
 } // namespace
 
 void ImplicitExactSurface::Locate(SurfacePoints& points) const
 {
   const SurfacePoints start = points;
-  SurfacePoints trial = points;
-  Linearization here(this->Function_, points);
-  std::array<double, Lanes::Count> share;
-  share.fill(1.0);
-  std::array<bool, Lanes::Count> isDone{};
-  int left = points.count;
-  const auto finish = [&isDone, &left](int lane)
+  NewtonIteration iteration(this->Function_, points);
+  for (int step = 0; step < MaximumSteps && iteration.GoesOn(); ++step)
   {
-    isDone[lane] = true;
-    --left;
-  };
-  for (int lane = 0; lane < points.count; ++lane)
-  {
-    points.fault[lane] = here.IsFinite(lane) ? ExactFault::None : ExactFault::NotFinite;
-    if (points.fault[lane] != ExactFault::None)
-    {
-      finish(lane);
-    }
+    iteration.Step();
   }
-  for (int step = 0; step < MaximumSteps && left > 0; ++step)
-  {
-    std::array<double, Lanes::Count> length{};
-    for (int lane = 0; lane < points.count; ++lane)
-    {
-      if (isDone[lane])
-      {
-        continue;
-      }
-      const Eigen::Vector3d move = share[lane] * here.NewtonStep(lane);
-      length[lane] = move.norm();
-      trial.position[lane] = points.position[lane] + move;
-      // A gradient of 0 makes it infinite or, on the surface, not a number.
-      if (!std::isfinite(length[lane]) || length[lane] <= 2.0 * Resolution(points.position[lane]))
-      {
-        trial.position[lane] = points.position[lane];
-        finish(lane);
-      }
-    }
-    if (left == 0)
-    {
-      break;
-    }
-    const Linearization there(this->Function_, trial);
-    for (int lane = 0; lane < points.count; ++lane)
-    {
-      if (isDone[lane])
-      {
-        continue;
-      }
-      if (there.IsFinite(lane) && std::abs(there.value[lane]) < std::abs(here.value[lane]))
-      {
-        points.position[lane] = trial.position[lane];
-        here.value[lane] = there.value[lane];
-        here.gradient[lane] = there.gradient[lane];
-        share[lane] = 1.0;
-      }
-      else if (share[lane] == 1.0 && length[lane] <= 64.0 * Resolution(points.position[lane]))
-      {
-        finish(lane); // no better point can be represented
-      }
-      else
-      {
-        share[lane] *= 0.5;
-      }
-    }
-  }
-  for (int lane = 0; lane < points.count; ++lane)
-  {
-    const double length = here.gradient[lane].norm();
-    if (points.fault[lane] == ExactFault::None && !(length > 0.0))
-    {
-      points.fault[lane] =
-        here.value[lane] == 0.0 ? ExactFault::Singular : ExactFault::NoConvergence;
-    }
-    else if (points.fault[lane] == ExactFault::None &&
-      !IsSettled(here.NewtonStep(lane).norm(), start.position[lane], points.position[lane]))
-    {
-      points.fault[lane] = ExactFault::NoConvergence;
-    }
-    points.normal[lane] = points.fault[lane] == ExactFault::None
-      ? Eigen::Vector3d(here.gradient[lane] / length)
-      : Eigen::Vector3d::Zero();
-  }
+  iteration.Finish(start);
 }
 
 void ImplicitExactSurface::Differentiate(SurfacePoints& points) const
