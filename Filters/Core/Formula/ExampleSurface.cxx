@@ -2,11 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Formula/ExampleSurface.h"
 
+#include "Formula/TrianglesOfPoints.h"
+
 #include <Eigen/Geometry>
 
 #include <array>
 #include <cmath>
-#include <numeric>
 
 namespace ridges
 {
@@ -112,58 +113,6 @@ Eigen::Vector3d CastRay(const ImplicitSurface& surface, const Eigen::Vector3d& d
   }
   return surface.Project(center + outside * direction);
 }
-
-/// The triangles around each point, in ascending order.
-class TrianglesOfPoints
-{
-public:
-  TrianglesOfPoints(Id numberOfPoints, const std::vector<Triangle>& triangles)
-    : Triangles_(triangles)
-    , Offsets_(static_cast<std::size_t>(numberOfPoints) + 1, 0)
-    , Incident_(3 * triangles.size())
-  {
-    for (const Triangle& corners : triangles)
-    {
-      for (const Id p : corners)
-      {
-        ++this->Offsets_[p + 1];
-      }
-    }
-    std::partial_sum(this->Offsets_.begin(), this->Offsets_.end(), this->Offsets_.begin());
-    std::vector<Id> next(this->Offsets_.begin(), this->Offsets_.end() - 1);
-    for (std::size_t t = 0; t < triangles.size(); ++t)
-    {
-      for (const Id p : triangles[t])
-      {
-        this->Incident_[next[p]++] = static_cast<Id>(t);
-      }
-    }
-  }
-
-  /// Weighted by area: if points move there, large triangles shrink.
-  Eigen::Vector3d MeanCentroid(Id p, const Eigen::Matrix3Xd& points) const
-  {
-    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-    double weight = 0.0;
-    for (Id i = this->Offsets_[p]; i < this->Offsets_[p + 1]; ++i)
-    {
-      const Triangle& c = this->Triangles_[this->Incident_[i]];
-      const Eigen::Vector3d centroid =
-        (points.col(c[0]) + points.col(c[1]) + points.col(c[2])) / 3.0;
-      const Eigen::Vector3d e1 = points.col(c[1]) - points.col(c[0]);
-      const Eigen::Vector3d e2 = points.col(c[2]) - points.col(c[0]);
-      const double area = e1.cross(e2).norm();
-      sum += area * centroid;
-      weight += area;
-    }
-    return sum / weight;
-  }
-
-private:
-  const std::vector<Triangle>& Triangles_;
-  std::vector<Id> Offsets_;
-  std::vector<Id> Incident_;
-};
 
 /// The point of the surface nearest to one that is not far from it.
 Eigen::Vector3d Nearest(const ImplicitSurface& surface, const Eigen::Vector3d& target)
@@ -276,7 +225,7 @@ PointsAndTriangles MeshSurface(
   {
     for (Id p = begin; p < end; ++p)
     {
-      targets.col(p) = around.MeanCentroid(p, points);
+      targets.col(p) = around.MeanCentroid(p, [&points](Id corner) { return points.col(corner); });
     }
   };
   const auto move = [&surface, &points, &targets](Id begin, Id end)
