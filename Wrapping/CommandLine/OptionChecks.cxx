@@ -27,6 +27,10 @@ void CheckEffects(const CLI::App& app, const Options& options, const Filters& fi
     { "--orient", !options.mesh.empty(), "without MESH" },
     { "--semi-axes", filters.example->GetSurface() == vtkRidgeExampleSource::ELLIPSOID,
       "without --surface ellipsoid" },
+    { "--bounds", !options.formula.empty() && options.mesh.empty(),
+      "without --formula, or with MESH" },
+    { "--edge-length", !options.formula.empty() && options.mesh.empty(),
+      "without --formula, or with MESH" },
     { "--minimum-number-of-points", neighborhood == vtkJetFitting::BY_POINT_COUNT,
       "without --neighborhood point-count" },
     { "--number-of-rings", neighborhood == vtkJetFitting::BY_RINGS,
@@ -76,7 +80,8 @@ std::string OptionOf(const CLI::App& app, Lines lines)
   return {};
 }
 
-/// Settles which lines are wanted if the options say so. The example surface is smooth.
+/// Settles which lines are wanted if the options say so. The example surface and those of formulas
+/// are smooth.
 void CheckLines(const CLI::App& app, Options& options)
 {
   const std::string complete = OptionOf(app, Lines::Complete);
@@ -87,7 +92,7 @@ void CheckLines(const CLI::App& app, Options& options)
     {
       throw Contradiction(salient + " is for salient lines, " + complete + " for all ridges");
     }
-    const bool isExample = options.mesh.empty();
+    const bool isExample = options.mesh.empty() || !options.formula.empty();
     options.lines = !salient.empty()   ? Lines::Salient
       : !complete.empty() || isExample ? Lines::Complete
                                        : Lines::ByData;
@@ -97,6 +102,33 @@ void CheckLines(const CLI::App& app, Options& options)
   {
     throw Contradiction(idle + " has no effect with " +
       (options.lines == Lines::Complete ? "--complete" : "--salient"));
+  }
+}
+
+void CheckFormula(const CLI::App& app, const Options& options)
+{
+  if (app.count("--formula") > 0 && options.formula.empty())
+  {
+    throw Contradiction("--formula is empty");
+  }
+  if (options.formula.empty())
+  {
+    return;
+  }
+  if (options.lines == Lines::Salient)
+  {
+    throw Contradiction("--formula gives exact ridges of all kinds, not salient lines");
+  }
+  if (options.mesh.empty() && app.count("--bounds") == 0)
+  {
+    throw Contradiction("--formula needs --bounds, the box to look for the surface in, or MESH");
+  }
+  for (const CLI::Option* option : app.get_options())
+  {
+    if (option->count() > 0 && IsOfGroup(option, { "Jet fitting" }))
+    {
+      throw Contradiction(option->get_name() + " has no effect with --formula");
+    }
   }
 }
 
@@ -157,6 +189,7 @@ void CheckOptions(const CLI::App& app, Options& options, const Filters& filters)
     }
   }
   CheckLines(app, options);
+  CheckFormula(app, options);
   CheckEffects(app, options, filters);
   CheckFit(filters);
   CheckChecks(app, options, filters);

@@ -7,7 +7,10 @@
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 #include <optional>
 #include <sstream>
@@ -114,19 +117,23 @@ public:
       ->group(this->Name);
   }
 
-  template <typename Setter>
-  CLI::Option* Triple(const std::string& flag, const std::string& initial, const Setter& set,
-    const std::string& description)
+  /// So many numbers with commas between them.
+  template <std::size_t Count, typename Setter>
+  CLI::Option* Numbers(const std::string& flag, const std::string& type, const std::string& initial,
+    const Setter& set, const std::string& description)
   {
     using Values = std::vector<double>;
     return this->App
       .add_option_function<Values>(
         flag,
-        [set](const Values& v) {
-          set({ v[0], v[1], v[2] });
+        [set](const Values& values)
+        {
+          std::array<double, Count> all{};
+          std::copy_n(values.begin(), Count, all.begin());
+          set(all);
         },
         description)
-      ->expected(3)
+      ->expected(static_cast<int>(Count))
       ->delimiter(',')
       ->check(CLI::Validator(
         [](const std::string& text)
@@ -135,9 +142,16 @@ public:
           return number && std::isfinite(*number) ? std::string() : text + " is not a number";
         },
         "", "finite"))
-      ->type_name("X,Y,Z")
+      ->type_name(type)
       ->default_str(initial)
       ->group(this->Name);
+  }
+
+  template <typename Setter>
+  CLI::Option* Triple(const std::string& flag, const std::string& initial, const Setter& set,
+    const std::string& description)
+  {
+    return this->Numbers<3>(flag, "X,Y,Z", initial, set, description);
   }
 
   CLI::Option* Text(const std::string& flag, const std::string& type, std::string& value,

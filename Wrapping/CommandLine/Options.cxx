@@ -66,6 +66,28 @@ void AddInput(CLI::App& app, Options& options, vtkRidgeExampleSource* example)
     ->excludes(mesh);
 }
 
+void AddFormula(CLI::App& app, Options& options, vtkImplicitSurfaceMesh* surfaceMesh)
+{
+  OptionGroup group(app, "Formula");
+  group
+    .Text("--formula", "TEXT", options.formula,
+      "surface f(x, y, z) = 0, negative inside, such as 'x^2/4 + y^2 + z^2/0.4 - 1': the ridges "
+      "are "
+      "computed from exact derivatives, on a mesh of the surface or, with MESH, on that mesh moved "
+      "to it")
+    ->excludes("--surface")
+    ->excludes("--frequency")
+    ->excludes("--semi-axes");
+  group.Numbers<6>(
+    "--bounds", "X,X,Y,Y,Z,Z", "",
+    [surfaceMesh](std::array<double, 6> bounds) { surfaceMesh->SetBounds(bounds.data()); },
+    "box in which the surface is meshed: least and greatest x, y and z");
+  group.Number<double>(
+    "--edge-length", "L", surfaceMesh->GetEdgeLength(), { 0.0, AnyLength },
+    [surfaceMesh](double length) { surfaceMesh->SetEdgeLength(length); },
+    "length of the edges of the mesh; 0 is a hundredth of the diagonal of --bounds");
+}
+
 void AddLines(CLI::App& app, Options& options)
 {
   OptionGroup group(app, "Lines");
@@ -176,13 +198,14 @@ void CompleteOutput(Options& options)
 std::optional<int> ParseCommandLine(int argc, char** argv, Options& options, Filters& filters)
 {
   CLI::App app("Finds the ridges and umbilics of a triangle mesh and draws them.", "vtkridges");
-  app.formatter(std::make_shared<HelpFormatter>(
-    std::vector<std::string>{ "MESH", "--orient", "--surface", "--complete", "--salient",
-      "--neighborhood", "--minimum-number-of-points", "--crest-only", "--minimum-sharpness",
-      "--keep", "--fold-angle", "--relative-scale", "--output", "--write-mesh", "--check",
-      "--strict", "--no-picture", "--view", "--quiet", "--help", "--help-all", "--version" }));
+  app.formatter(std::make_shared<HelpFormatter>(std::vector<std::string>{ "MESH", "--orient",
+    "--surface", "--formula", "--bounds", "--edge-length", "--complete", "--salient",
+    "--neighborhood", "--minimum-number-of-points", "--crest-only", "--minimum-sharpness", "--keep",
+    "--fold-angle", "--relative-scale", "--output", "--write-mesh", "--check", "--strict",
+    "--no-picture", "--view", "--quiet", "--help", "--help-all", "--version" }));
   app.set_help_flag(); // Added again at the end, to be listed there.
   AddInput(app, options, filters.example);
+  AddFormula(app, options, filters.surfaceMesh);
   AddLines(app, options);
   AddJetFitting(app, filters.jetFitting);
   AddUmbilics(app, filters.umbilics);
@@ -207,6 +230,7 @@ std::optional<int> ParseCommandLine(int argc, char** argv, Options& options, Fil
              "  vtkridges scan.ply --minimum-number-of-points 200 --minimum-sharpness 300\n"
              "  vtkridges part.stl --crest-only --output pictures/part\n"
              "  vtkridges --surface ellipsoid --view 1,-1,1 --output ellipsoid\n"
+             "  vtkridges --formula 'x^4+y^4+z^2-1' --bounds -1.1,1.1,-1.1,1.1,-1.1,1.1\n"
              "  xvfb-run -a vtkridges part.stl         (without an X display)");
   try
   {

@@ -7,6 +7,8 @@
 #include "Picture.h"
 #include "Repair/RepairMesh.h"
 
+#include "vtkImplicitMongeForm.h"
+#include "vtkImplicitSurfaceMesh.h"
 #include "vtkJetFitting.h"
 #include "vtkNew.h"
 #include "vtkRidgeCoherence.h"
@@ -26,7 +28,9 @@ namespace program
 struct Filters
 {
   vtkNew<vtkRidgeExampleSource> example;
+  vtkNew<vtkImplicitSurfaceMesh> surfaceMesh;
   vtkNew<vtkJetFitting> jetFitting;
+  vtkNew<vtkImplicitMongeForm> exactForms; ///< Instead of the fit, where there is a formula.
   vtkNew<vtkUmbilicDetection> umbilics;
   vtkNew<vtkRidgeExtraction> ridges;
   vtkNew<vtkRidgeCoherence> coherence;
@@ -37,7 +41,8 @@ struct Filters
 /// What is no property of a filter.
 struct Options
 {
-  std::string mesh; ///< Empty: the example surface.
+  std::string mesh;    ///< Empty: the surface of the formula or, without one, the example.
+  std::string formula; ///< Of the surface, if it is not empty.
   RepairOptions repair;
   Lines lines = Lines::ByData;
   std::string output; ///< Path and beginning of the names of the files written.

@@ -116,10 +116,57 @@ std::string FitAdvice(vtkPolyData* fitted)
     : "see Jet fitting in vtkridges --help-all";
 }
 
-/// The ridges of all points of the mesh, from its fits on.
+/// A mesh, of the file, of the formula or of the example.
+vtkSmartPointer<vtkPolyData> MakeMesh(
+  const Options& options, Filters& filters, Stages& stages, Results& results)
+{
+  if (!options.mesh.empty())
+  {
+    results.name = options.mesh;
+    return ReadAndRepair(options, stages, results);
+  }
+  if (options.formula.empty())
+  {
+    results.name = "example";
+    RunStage(stages, "read", filters.example);
+    return filters.example->GetOutput();
+  }
+  results.name = "formula";
+  vtkImplicitSurfaceMesh* source = filters.surfaceMesh;
+  source->SetFormula(options.formula.c_str());
+  stages.Run("mesh of the surface", "see --formula, --bounds and --edge-length", source,
+    [source] { source->Update(); });
+  return source->GetOutput();
+}
+
+/// Exact forms at the points of the mesh, which move to the surface.
+void RunExactForms(vtkPolyData* mesh, const Options& options, Filters& filters, Stages& stages)
+{
+  vtkImplicitMongeForm* forms = filters.exactForms;
+  forms->SetInputData(mesh);
+  forms->SetFormula(options.formula.c_str());
+  stages.Run("exact forms", "see --formula", forms, [forms] { forms->Update(); });
+}
+
+/// Fits at the points of the mesh.
+void RunJetFitting(vtkPolyData* mesh, vtkJetFitting* jetFitting, Stages& stages)
+{
+  jetFitting->SetInputData(mesh);
+  stages.Run(
+    "jet fitting", [jetFitting] { return FitAdvice(jetFitting->GetOutput()); }, jetFitting,
+    [jetFitting]
+    {
+      jetFitting->Update();
+      CheckFits(jetFitting->GetOutput());
+    });
+}
+
+/// The ridges of all points of the mesh, from its forms on.
 void RunComplete(const Options& options, Filters& filters, Stages& stages, Results& results)
 {
-  filters.umbilics->SetInputConnection(filters.jetFitting->GetOutputPort());
+  vtkAlgorithm* forms = options.formula.empty() ? static_cast<vtkAlgorithm*>(filters.jetFitting)
+                                                : static_cast<vtkAlgorithm*>(filters.exactForms);
+  filters.umbilics->SetInputConnection(forms->GetOutputPort());
   filters.ridges->SetInputConnection(filters.umbilics->GetOutputPort());
   filters.sharpness->SetInputConnection(filters.ridges->GetOutputPort());
   RunStage(stages, "umbilics", filters.umbilics);
@@ -158,34 +205,19 @@ void RunSalient(vtkPolyData* mesh, vtkSalientRidges* salient, Stages& stages, Re
 
 void RunFilters(const Options& options, Filters& filters, Stages& stages, Results& results)
 {
-  vtkSmartPointer<vtkPolyData> mesh;
-  if (options.mesh.empty())
-  {
-    results.name = "example";
-    RunStage(stages, "read", filters.example);
-    mesh = filters.example->GetOutput();
-  }
-  else
-  {
-    results.name = options.mesh;
-    mesh = ReadAndRepair(options, stages, results);
-  }
+  const vtkSmartPointer<vtkPolyData> mesh = MakeMesh(options, filters, stages, results);
   Lines lines = options.lines;
-  if (lines != Lines::Salient)
+  if (!options.formula.empty())
   {
-    vtkJetFitting* jetFitting = filters.jetFitting;
-    jetFitting->SetInputData(mesh);
+    RunExactForms(mesh, options, filters, stages);
+  }
+  else if (lines != Lines::Salient)
+  {
     if (lines == Lines::ByData)
     {
       stages.HoldWarnings(); // The filter for salient lines fits for itself, and warns itself.
     }
-    stages.Run(
-      "jet fitting", [jetFitting] { return FitAdvice(jetFitting->GetOutput()); }, jetFitting,
-      [jetFitting]
-      {
-        jetFitting->Update();
-        CheckFits(jetFitting->GetOutput());
-      });
+    RunJetFitting(mesh, filters.jetFitting, stages);
   }
   if (lines == Lines::ByData)
   {
