@@ -5,13 +5,17 @@
 import unittest
 
 import numpy as np
-from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
 from vtkmodules.vtkCommonComputationalGeometry import vtkParametricTorus
 from vtkmodules.vtkCommonCore import vtkCommand
+from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkFiltersCore import vtkFlyingEdges3D
 from vtkmodules.vtkFiltersSources import vtkParametricFunctionSource
 
 from vtkridges import (
+    vtkImageMongeForm,
     vtkImplicitMongeForm,
+    vtkImplicitSurfaceMesh,
     vtkRidgeExampleSource,
     vtkRidgeExtraction,
     vtkUmbilicDetection,
@@ -74,6 +78,42 @@ class TestFormulas(unittest.TestCase):
         # The tube bends most, whichever way its normal points.
         curvatures = np.abs([array(forms, "MaximumCurvature"), array(forms, "MinimumCurvature")])
         np.testing.assert_allclose(curvatures.max(axis=0), 2.0, rtol=1e-12)
+
+    def test_mesh_of_a_formula(self):
+        mesh = vtkImplicitSurfaceMesh()
+        mesh.SetFormula(ELLIPSOID)
+        mesh.SetBounds(-1.5, 1.5, -1.1, 1.1, -0.7, 0.7)
+        mesh.SetEdgeLength(0.1)
+        forms = vtkImplicitMongeForm()  # takes the formula from the mesh
+        forms.SetInputConnection(mesh.GetOutputPort())
+        umbilics = vtkUmbilicDetection()
+        umbilics.SetInputConnection(forms.GetOutputPort())
+        umbilics.Update()
+        self.assertEqual(umbilics.GetOutput(1).GetNumberOfPoints(), 4)
+
+    def test_isosurface_of_an_image(self):
+        image = vtkImageData()
+        image.SetDimensions(40, 40, 40)
+        image.SetOrigin(-1.5, -1.5, -1.5)
+        image.SetSpacing(3 / 39, 3 / 39, 3 / 39)
+        axis = np.linspace(-1.5, 1.5, 40)
+        z, y, x = np.meshgrid(axis, axis, axis, indexing="ij")
+        scalars = numpy_to_vtk((x**2 + y**2 + z**2).ravel(), deep=True)
+        image.GetPointData().SetScalars(scalars)
+        mesh = vtkFlyingEdges3D()
+        mesh.SetInputData(image)
+        mesh.SetValue(0, 1.0)
+        forms = vtkImageMongeForm()
+        forms.SetInputConnection(0, mesh.GetOutputPort())
+        forms.SetInputData(1, image)
+        forms.SetIsoValue(1.0)
+        forms.SetSigma(0.1)
+        forms.Update()
+        # Smoothing adds three times the variance to the squared distance. Which of the two the
+        # curvature is depends on the orientation of the mesh.
+        expected = 1 / np.sqrt(1 - 3 * 0.1**2)
+        curvature = np.abs(array(forms, "MaximumCurvature"))
+        np.testing.assert_allclose(curvature, expected, rtol=1e-9)
 
     def test_errors_show_the_place(self):
         messages = []

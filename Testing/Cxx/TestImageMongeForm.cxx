@@ -1,0 +1,310 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkRidges contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkImageMongeForm.h"
+
+#include "FilterTestTools.h"
+#include "MessageRecorder.h"
+#include "vtkImplicitMongeForm.h"
+#include "vtkImplicitSurfaceMesh.h"
+#include "vtkJetFitting.h"
+#include "vtkRidgeExtraction.h"
+#include "vtkRidgesArrayNames.h"
+#include "vtkUmbilicDetection.h"
+
+#include "vtkDoubleArray.h"
+#include "vtkFloatArray.h"
+#include "vtkImageData.h"
+#include "vtkMatrix3x3.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkSMPTools.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <sstream>
+#include <string>
+
+using namespace ridges::testing;
+namespace names = vtkRidgesArrayNames;
+
+namespace
+{
+
+/// An image whose samples are values of a function, in the extent that it has.
+template <typename Function>
+void Sample(vtkImageData* image, const Function& function)
+{
+  vtkNew<vtkDoubleArray> scalars;
+  const int* extent = image->GetExtent();
+  for (int k = extent[4]; k <= extent[5]; ++k)
+  {
+    for (int j = extent[2]; j <= extent[3]; ++j)
+    {
+      for (int i = extent[0]; i <= extent[1]; ++i)
+      {
+        double x[3];
+        image->TransformIndexToPhysicalPoint(i, j, k, x);
+        scalars->InsertNextValue(function(x[0], x[1], x[2]));
+      }
+    }
+  }
+  image->GetPointData()->SetScalars(scalars);
+}
+
+vtkSmartPointer<vtkPolyData> FromImage(
+  vtkPolyData* mesh, vtkImageData* image, double sigma, double value = 0.0)
+{
+  vtkNew<vtkImageMongeForm> forms;
+  forms->SetInputData(0, mesh);
+  forms->SetInputData(1, image);
+  forms->SetSigma(sigma);
+  forms->SetIsoValue(value);
+  forms->Update();
+  return forms->GetOutput();
+}
+
+vtkSmartPointer<vtkPolyData> FromFormula(vtkPolyData* mesh, const std::string& formula)
+{
+  vtkNew<vtkImplicitMongeForm> forms;
+  forms->SetInputData(mesh);
+  forms->SetFormula(formula.c_str());
+  forms->Update();
+  return forms->GetOutput();
+}
+
+/// The greatest difference of the lengths of a tuple's components, relative to the greatest value.
+double LargestDifference(vtkPolyData* a, vtkPolyData* b, const char* name)
+{
+  vtkDataArray* left = a->GetPointData()->GetArray(name);
+  vtkDataArray* right = b->GetPointData()->GetArray(name);
+  double difference = 0.0;
+  double greatest = 0.0;
+  for (vtkIdType p = 0; p < left->GetNumberOfTuples(); ++p)
+  {
+    for (int i = 0; i < left->GetNumberOfComponents(); ++i)
+    {
+      // The signs of b depend on the direction.
+      const double l = std::abs(left->GetComponent(p, i));
+      const double r = std::abs(right->GetComponent(p, i));
+      difference = std::max(difference, std::abs(l - r));
+      greatest = std::max(greatest, r);
+    }
+  }
+  return difference / greatest;
+}
+
+/// x^2/1.96 + y^2 + z^2/0.36 in a frame turned about z, as a function and as text.
+double Ellipsoid(double x, double y, double z)
+{
+  const double u = 0.8 * x + 0.6 * y;
+  const double v = -0.6 * x + 0.8 * y;
+  return u * u / 1.96 + v * v + z * z / 0.36;
+}
+
+/// With sigma^2 (1/1.96 + 1 + 1/0.36) more: the image smoothed, less a value.
+std::string EllipsoidFormula(double sigma, double value)
+{
+  std::ostringstream text;
+  text.precision(17);
+  text << "(0.8*x+0.6*y)^2/1.96 + (0.8*y-0.6*x)^2 + z^2/0.36 + "
+       << sigma * sigma * (1.0 / 1.96 + 1.0 + 1.0 / 0.36) - value;
+  return text.str();
+}
+
+vtkSmartPointer<vtkPolyData> TurnedEllipsoid()
+{
+  vtkNew<vtkImplicitSurfaceMesh> source;
+  source->SetFormula(EllipsoidFormula(0.0, 1.0).c_str());
+  source->SetBounds(-1.3, 1.3, -1.3, 1.3, -0.7, 0.7);
+  source->SetEdgeLength(0.1);
+  source->Update();
+  return source->GetOutput();
+}
+
+/// Axes turned against the coordinates, unequal spacing, an extent that does not begin at 0.
+void SetOblique(vtkImageData* image)
+{
+  image->SetExtent(3, 52, -20, 19, 0, 27);
+  image->SetSpacing(0.06, 0.08, 0.06);
+  image->SetDirectionMatrix(0.6, 0.8, 0.0, -0.8, 0.6, 0.0, 0.0, 0.0, 1.0);
+  double center[3];
+  image->TransformIndexToPhysicalPoint(27, 0, 14, center);
+  image->SetOrigin(-center[0], -center[1], -center[2]);
+}
+
+constexpr double A[3] = { 0.15, 0.25, 0.35 };
+constexpr double B[3] = { 0.1, 0.2, 0.3 };
+constexpr double CenterOfB[3] = { 0.25, 0.1, 0.1 };
+
+double Blend(double x, double y, double z)
+{
+  const double at[3] = { x, y, z };
+  double a = -1.0;
+  double b = -1.0;
+  for (int i = 0; i < 3; ++i)
+  {
+    a += std::pow(at[i] / A[i], 2);
+    b += std::pow((at[i] - CenterOfB[i]) / B[i], 2);
+  }
+  return 1.0 - std::exp(-0.7 * a) - std::exp(-0.7 * b);
+}
+
+/// Each Gaussian becomes a wider and lower one.
+std::string SmoothedBlend(double sigma)
+{
+  std::ostringstream text;
+  text.precision(17);
+  text << "1";
+  for (const auto& [axes, center] : { std::make_pair(A, std::array<double, 3>{ 0.0, 0.0, 0.0 }),
+         std::make_pair(B, std::array<double, 3>{ CenterOfB[0], CenterOfB[1], CenterOfB[2] }) })
+  {
+    double height = std::exp(0.7);
+    std::ostringstream exponent;
+    exponent.precision(17);
+    for (int i = 0; i < 3; ++i)
+    {
+      const double square = axes[i] * axes[i] + 1.4 * sigma * sigma;
+      height *= axes[i] / std::sqrt(square);
+      exponent << (i > 0 ? "+" : "") << "(" << "xyz"[i] << "-" << center[i] << ")^2/" << square;
+    }
+    text << " - " << height << "*exp(-0.7*(" << exponent.str() << "))";
+  }
+  return text.str();
+}
+
+} // namespace
+
+// A quadratic image is smoothed to itself and a constant: the filter has to agree to round-off, at
+// the border of the image, too.
+TEST(ImageMongeForm, IsExactForAnEllipsoid)
+{
+  vtkNew<vtkImageData> image;
+  SetOblique(image);
+  Sample(image, Ellipsoid);
+  const auto mesh = TurnedEllipsoid();
+  const auto found = FromImage(mesh, image, 0.1, 1.0);
+  const auto expected = FromFormula(mesh, EllipsoidFormula(0.1, 1.0));
+  ASSERT_GT(found->GetNumberOfPoints(), 1000);
+  ExpectAllFinite(found);
+  int atBorder = 0;
+  for (vtkIdType p = 0; p < found->GetNumberOfPoints(); ++p)
+  {
+    EXPECT_LT((PointAt(found, p) - PointAt(expected, p)).norm(), 1e-12);
+    atBorder += Value(found->GetPointData(), names::FitStatus, p) == vtkJetFitting::FIT_BOUNDARY;
+  }
+  EXPECT_GT(atBorder, 10);
+  EXPECT_LT(LargestDifference(found, expected, names::MaximumCurvature), 1e-10);
+  EXPECT_LT(LargestDifference(found, expected, names::MinimumCurvature), 1e-10);
+  EXPECT_LT(LargestDifference(found, expected, names::ThirdOrder), 1e-7);
+}
+
+// The fineness of the samples hardly matters: the error is that of the sums' ends.
+TEST(ImageMongeForm, GivesTheUmbilicsOfTheBlend)
+{
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(64, 64, 64);
+  image->SetOrigin(-0.35, -0.4, -0.5);
+  image->SetSpacing(0.9 / 63, 0.9 / 63, 1.1 / 63);
+  Sample(image, Blend);
+  const double sigma = 0.02;
+  vtkNew<vtkImplicitSurfaceMesh> source;
+  source->SetEdgeLength(0.02);
+  source->Update();
+  const auto found = FromImage(source->GetOutput(), image, sigma);
+  const auto expected = FromFormula(source->GetOutput(), SmoothedBlend(sigma));
+  EXPECT_LT(LargestDifference(found, expected, names::MaximumCurvature), 1e-5);
+  EXPECT_LT(LargestDifference(found, expected, names::MinimumCurvature), 1e-5);
+  EXPECT_LT(LargestDifference(found, expected, names::ThirdOrder), 1e-4);
+  EXPECT_LT(LargestDifference(found, expected, names::P1), 1e-3);
+  for (const auto& mesh : { found, expected })
+  {
+    vtkNew<vtkUmbilicDetection> umbilics;
+    umbilics->SetInputData(mesh);
+    umbilics->Update();
+    EXPECT_EQ(umbilics->GetOutput(1)->GetNumberOfPoints(), 8);
+  }
+}
+
+TEST(ImageMongeForm, TakesAnyScalarsAndFlagsPointsOutside)
+{
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(30, 30, 30);
+  image->SetOrigin(-1.5, -1.5, -1.5);
+  image->SetSpacing(0.1, 0.1, 0.1);
+  Sample(image, [](double x, double y, double z) { return x * x + y * y + z * z; });
+  vtkNew<vtkFloatArray> scalars; // the first of two components
+  scalars->SetNumberOfComponents(2);
+  scalars->SetNumberOfTuples(image->GetNumberOfPoints());
+  for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
+  {
+    scalars->SetTuple2(i, image->GetPointData()->GetScalars()->GetTuple1(i), -7.0);
+  }
+  image->GetPointData()->SetScalars(scalars);
+  const auto mesh = ToPolyData(Icosphere(8));
+  mesh->GetPoints()->SetPoint(3, 50.0, 0.0, 0.0);
+  vtkNew<vtkImageMongeForm> forms;
+  const MessageRecorder messages(forms);
+  forms->SetInputData(0, mesh);
+  forms->SetInputData(1, image);
+  forms->SetIsoValue(1.0);
+  forms->Update();
+  EXPECT_EQ(messages.NumberOfWarnings(), 1u);
+  EXPECT_NE(messages.WarningText().find("1 of 642, where the surface or a derivative is not finite"),
+    std::string::npos)
+    << messages.WarningText();
+  const double radius = std::sqrt(1.0 - 3.0 * 0.15 * 0.15); // sigma is 1.5 samples
+  for (vtkIdType p = 0; p < mesh->GetNumberOfPoints(); ++p)
+  {
+    const double k = Value(forms->GetOutput()->GetPointData(), names::MinimumCurvature, p);
+    EXPECT_NEAR(k, p == 3 ? 0.0 : -1.0 / radius, 1e-5); // samples are of single precision
+  }
+}
+
+TEST(ImageMongeForm, RefusesBadInputWithOneError)
+{
+  const auto mesh = ToPolyData(Icosphere(4));
+  const auto errorOf = [&mesh](vtkImageData* image, double sigma)
+  {
+    vtkNew<vtkImageMongeForm> forms;
+    const MessageRecorder messages(forms);
+    forms->SetInputData(0, mesh);
+    forms->SetInputData(1, image);
+    forms->SetSigma(sigma);
+    forms->Update();
+    EXPECT_EQ(messages.NumberOfErrors(), 1u);
+    EXPECT_TRUE(IsEmpty(forms->GetOutput()));
+    return messages.ErrorText();
+  };
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(10, 10, 10);
+  EXPECT_NE(errorOf(image, 1.0).find("no scalars"), std::string::npos);
+  Sample(image, [](double x, double, double) { return x - 4.5; });
+  EXPECT_NE(errorOf(image, std::numeric_limits<double>::quiet_NaN()).find("Sigma"), std::string::npos);
+  image->SetSpacing(1.0, 0.0, 1.0);
+  EXPECT_NE(errorOf(image, 1.0).find("spacing"), std::string::npos);
+  vtkNew<vtkImageData> flat;
+  flat->SetDimensions(10, 10, 1);
+  Sample(flat, [](double x, double, double) { return x - 4.5; });
+  EXPECT_NE(errorOf(flat, 1.0).find("fewer than five samples"), std::string::npos);
+  // The value is nowhere in the image.
+  vtkNew<vtkImageData> positive;
+  positive->SetDimensions(10, 10, 10);
+  Sample(positive, [](double x, double, double) { return 1.0 + x * x; });
+  EXPECT_NE(errorOf(positive, 1.0).find("No point has a Monge form"), std::string::npos);
+}
+
+TEST(ImageMongeForm, SameBytesForAnyThreads)
+{
+  vtkNew<vtkImageData> image;
+  SetOblique(image);
+  Sample(image, Ellipsoid);
+  const auto mesh = EllipsoidData(4);
+  vtkSMPTools::Initialize(1);
+  const auto one = FromImage(mesh, image, 0.1, 1.0);
+  vtkSMPTools::Initialize(3);
+  const auto three = FromImage(mesh, image, 0.1, 1.0);
+  vtkSMPTools::Initialize();
+  EXPECT_EQ(FirstDifference(one, three), "");
+}
