@@ -142,7 +142,7 @@ int vtkImageMongeForm::RequestData(
   const ridges::ImageFunction function(grid, sigma, this->IsoValue);
   const ridges::ImplicitExactSurface surface(function);
   vtkRidgesExactForms forms(surface);
-  forms.StatusAt = [&function](const Eigen::Vector3d& x)
+  forms.statusAt = [&function](const Eigen::Vector3d& x)
   { return function.IsAtBorder(x) ? ridges::FitBoundary : 0; };
   return forms.Run(this, mesh, vtkPolyData::GetData(outputVector));
 }

@@ -4,25 +4,25 @@
  * @class   vtkImageMongeForm
  * @brief   curvatures and their derivatives of an isosurface, from the derivatives of its image
  *
- * An isosurface mesh of an image (CT, MR, a simulation) has the staircase of its contouring, which a
- * fit to its points follows. The image knows better: this filter smooths it by a Gaussian and takes
- * the Monge form (RR-5294, equations 1 and 2) of the smoothed image's isosurface from its derivatives
- * to order 4, after Thirion (section 4.2.2). Takes the place of vtkJetFitting.
+ * An isosurface mesh of an image (CT, MR, a simulation) has the staircase of its contouring, which
+ * a fit to its points follows. The image knows better: this filter smooths it by a Gaussian and
+ * takes the Monge form (RR-5294, equations 1 and 2) of the smoothed image's isosurface from its
+ * derivatives to order 4, after Thirion (section 4.2.2). Takes the place of vtkJetFitting.
  *
- * Input port 0: a triangle mesh near the isosurface, such as vtkFlyingEdges3D makes. Input port 1: the
- * vtkImageData that it came from, with scalars of any type; of several components the first is used.
- * Spacing may differ from axis to axis, and the direction matrix is honored.
+ * Input port 0: a triangle mesh near the isosurface, such as vtkFlyingEdges3D makes. Input port 1:
+ * the vtkImageData that it came from, with scalars of any type; of several components the first is
+ * used. Spacing may differ from axis to axis, and the direction matrix is honored.
  *
  * Output port 0: the mesh, triangulated, with its points moved to the isosurface of the smoothed
- * image, and the point arrays of vtkImplicitMongeForm. FitStatus is 0; FIT_BOUNDARY is set where the
- * image ends within 3 Sigma, and FIT_INVALID, with all values 0, where there is no Monge form, as
- * outside the image.
+ * image, and the point arrays of vtkImplicitMongeForm. FitStatus is 0; FIT_BOUNDARY is set where
+ * the image ends within 3 Sigma, and FIT_INVALID, with all values 0, where there is no Monge form,
+ * as outside the image.
  *
  * Method: sums over the samples within 6.5 Sigma, separable, at the points themselves: nothing is
- * interpolated. The weights along an axis are those of the Gaussian's derivatives, corrected so that
- * polynomials of degree 4 are smoothed exactly, at the border of the image as well, where other
- * kernels see an edge. Points are projected as by vtkImplicitMongeForm.
- * Guarantees: the same bytes for any number of threads, any SMP back end and any numbering.
+ * interpolated. The weights along an axis are those of the Gaussian's derivatives, corrected so
+ * that polynomials of degree 4 are smoothed exactly, at the border of the image as well, where
+ * other kernels see an edge. Points are projected as by vtkImplicitMongeForm. Guarantees: the same
+ * bytes for any number of threads, any SMP back end and any numbering.
  *
  * The values are exact, to round-off, for the smoothed image. What smoothing changes they do not
  * show: a sphere of radius r loses about Sigma^2 / r of its radius.
@@ -48,8 +48,8 @@ public:
   ///@{
   /**
    * Standard deviation of the Gaussian, in the unit of the image's spacing, 0 or more. Less than a
-   * sample hardly smooths along that axis. Default 0: 1.5 times the greatest spacing, which is enough
-   * for images without noise; noise of 5 % of the contrast needs 3 and more.
+   * sample hardly smooths along that axis. Default 0: 1.5 times the greatest spacing, which is
+   * enough for images without noise; noise of 5 % of the contrast needs 3 and more.
    */
   vtkSetClampMacro(Sigma, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(Sigma, double);

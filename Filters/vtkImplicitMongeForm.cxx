@@ -133,13 +133,13 @@ int vtkImplicitMongeForm::RequestData(
     return 0;
   }
   vtkRidgesExactForms forms(surface.Get());
-  forms.PlaceOfFault = [&surface](const double* variables)
+  forms.placeOfFault = [&surface](const double* variables)
   { return surface.PlaceOfFault(variables); };
   if (isParametric)
   {
     vtkPolyData* triangulated = mesh.GetPolyData();
-    forms.Parameters = ParametersOf(triangulated, this->ParameterRange);
-    if (static_cast<vtkIdType>(forms.Parameters.size()) != triangulated->GetNumberOfPoints())
+    forms.parameters = ParametersOf(triangulated, this->ParameterRange);
+    if (static_cast<vtkIdType>(forms.parameters.size()) != triangulated->GetNumberOfPoints())
     {
       vtkErrorMacro(
         "A parametric surface needs a mesh with texture coordinates of two components.");

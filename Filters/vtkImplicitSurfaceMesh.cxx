@@ -135,22 +135,22 @@ int vtkImplicitSurfaceMesh::RequestData(
   vtkRidgesContour contour;
   if (!contour.Make(this, surface.GetFunction(), this->Bounds, edgeLength, Contoured))
   {
-    if (contour.HasNaN)
+    if (contour.hasNaN)
     {
-      const std::array<double, 3>& at = contour.FirstNaN;
-      vtkErrorMacro("Formula: f is not a number at "
-        << at[0] << ", " << at[1] << ", " << at[2] << ", because of what is at "
-        << surface.PlaceOfFault(at.data()) << ".");
+      const std::array<double, 3>& at = contour.firstNaN;
+      vtkErrorMacro("Formula: f is not a number at " << at[0] << ", " << at[1] << ", " << at[2]
+                                                     << ", because of what is at "
+                                                     << surface.PlaceOfFault(at.data()) << ".");
       return 0;
     }
-    if (!contour.Error.empty())
+    if (!contour.error.empty())
     {
-      vtkErrorMacro(<< contour.Error << ".");
+      vtkErrorMacro(<< contour.error << ".");
       return 0;
     }
     return 1; // aborted
   }
-  ridges::EditableMesh& mesh = contour.Mesh;
+  ridges::EditableMesh& mesh = contour.mesh;
   int loops = 0;
   const auto loop = [this, &loops](
                       ridges::Id count, const std::function<void(ridges::Id, ridges::Id)>& body)

@@ -37,7 +37,9 @@ struct Samples
 
   vtkIdType Stride(int axis) const
   {
-    return axis == 0 ? 1 : static_cast<vtkIdType>(this->dimensions[0]) * (axis == 1 ? 1 : this->dimensions[1]);
+    return axis == 0
+      ? 1
+      : static_cast<vtkIdType>(this->dimensions[0]) * (axis == 1 ? 1 : this->dimensions[1]);
   }
 
   std::array<int, 3> IndexOf(vtkIdType sample) const
@@ -106,8 +108,7 @@ bool Evaluate(
       {
         // Infinities are as good as large values; NaN stays.
         const double value = f[lane];
-        samples.values[first + lane] =
-          std::isinf(value) ? std::copysign(greatest, value) : value;
+        samples.values[first + lane] = std::isinf(value) ? std::copysign(greatest, value) : value;
       }
     }
   };
@@ -142,8 +143,7 @@ void Orient(ridges::EditableMesh& mesh, const ridges::JetFunction& function)
   for (const ridges::Triangle& corners : mesh.triangles)
   {
     const Eigen::Vector3d& a = mesh.points[corners[0]];
-    const Eigen::Vector3d normal =
-      (mesh.points[corners[1]] - a).cross(mesh.points[corners[2]] - a);
+    const Eigen::Vector3d normal = (mesh.points[corners[1]] - a).cross(mesh.points[corners[2]] - a);
     ridges::LaneVector3 x;
     for (int i = 0; i < 3; ++i)
     {
@@ -180,12 +180,12 @@ bool vtkRidgesContour::Make(vtkAlgorithm* filter, const ridges::JetFunction& fun
     samples.spacing[i] = extent / cells;
     samples.dimensions[i] = count <= MostSamples ? static_cast<int>(cells) + 1 : 0;
   }
-  std::ostringstream error;
+  std::ostringstream text;
   if (!(count <= MostSamples))
   {
-    error << "EdgeLength " << edgeLength << " is too short for the Bounds: the grid would have "
-          << count << " points";
-    this->Error = error.str();
+    text << "EdgeLength " << edgeLength << " is too short for the Bounds: the grid would have "
+         << count << " points";
+    this->error = text.str();
     return false;
   }
   samples.values.resize(static_cast<std::size_t>(count));
@@ -197,15 +197,15 @@ bool vtkRidgesContour::Make(vtkAlgorithm* filter, const ridges::JetFunction& fun
     samples.values.begin(), samples.values.end(), [](double value) { return std::isnan(value); });
   if (nan != samples.values.end())
   {
-    this->HasNaN = true;
-    this->FirstNaN = samples.PointOf(nan - samples.values.begin());
+    this->hasNaN = true;
+    this->firstNaN = samples.PointOf(nan - samples.values.begin());
     return false;
   }
   const auto [least, greatest] = std::minmax_element(samples.values.begin(), samples.values.end());
   if (*least >= 0.0 || *greatest < 0.0)
   {
-    error << "The surface is empty: within the Bounds f is from " << *least << " to " << *greatest;
-    this->Error = error.str();
+    text << "The surface is empty: within the Bounds f is from " << *least << " to " << *greatest;
+    this->error = text.str();
     return false;
   }
 
@@ -234,7 +234,7 @@ bool vtkRidgesContour::Make(vtkAlgorithm* filter, const ridges::JetFunction& fun
   contour->ComputeNormalsOff();
   contour->ComputeScalarsOff();
   contour->Update();
-  this->Mesh = MeshOf(contour->GetOutput());
-  Orient(this->Mesh, function);
+  this->mesh = MeshOf(contour->GetOutput());
+  Orient(this->mesh, function);
   return true;
 }

@@ -21,10 +21,10 @@ public:
   bool Make(vtkAlgorithm* filter, const ridges::JetFunction& function, const double bounds[6],
     double edgeLength, double progress);
 
-  ridges::EditableMesh Mesh;
-  std::string Error;
-  std::array<double, 3> FirstNaN{}; ///< Where f is not a number.
-  bool HasNaN = false;
+  ridges::EditableMesh mesh;
+  std::string error;
+  std::array<double, 3> firstNaN{}; ///< Where f is not a number.
+  bool hasNaN = false;
 };
 
 #endif

@@ -209,7 +209,7 @@ int vtkRidgesExactForms::Run(vtkAlgorithm* filter, const vtkRidgesMesh& mesh, vt
   const vtkSmartPointer<vtkPoints> points = CopyPoints(triangulated);
   PointStates states{ this->Surface };
   states.positions = static_cast<double*>(points->GetVoidPointer(0));
-  states.parameters = this->Parameters;
+  states.parameters = this->parameters;
   states.normals.assign(static_cast<std::size_t>(count), Eigen::Vector3d::Zero());
   states.faults.assign(static_cast<std::size_t>(count), ExactFault::None);
   if (!LocatePoints(filter, states))
@@ -219,11 +219,11 @@ int vtkRidgesExactForms::Run(vtkAlgorithm* filter, const vtkRidgesMesh& mesh, vt
   const std::vector<char> reversed = FindReversed(mesh.GetTriangles(), states);
   constexpr int order = 4;
   vtkRidgesMongeOutput arrays(count, order, false);
-  if (!StoreForms(filter, states, reversed, this->StatusAt, arrays))
+  if (!StoreForms(filter, states, reversed, this->statusAt, arrays))
   {
     return 1;
   }
-  const std::string faults = FaultText(states, this->PlaceOfFault);
+  const std::string faults = FaultText(states, this->placeOfFault);
   if (count > 0 &&
     std::find(states.faults.begin(), states.faults.end(), ExactFault::None) == states.faults.end())
   {

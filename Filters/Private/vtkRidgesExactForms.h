@@ -31,13 +31,13 @@ public:
   }
 
   /// Of each point, if the surface is parametric.
-  std::vector<std::array<double, 2>> Parameters;
+  std::vector<std::array<double, 2>> parameters;
 
   /// Bits of FitStatus at a place, besides that there is no form. May be empty.
-  std::function<int(const Eigen::Vector3d&)> StatusAt;
+  std::function<int(const Eigen::Vector3d&)> statusAt;
 
   /// Where in a formula a value is not finite at x, y, z or u, v. May be empty.
-  std::function<std::string(const double*)> PlaceOfFault;
+  std::function<std::string(const double*)> placeOfFault;
 
   /**
    * Computes, and stores the mesh with its arrays in `output`. One error of the filter if no point

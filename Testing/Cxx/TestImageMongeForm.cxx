@@ -167,7 +167,8 @@ std::string SmoothedBlend(double sigma)
     {
       const double square = axes[i] * axes[i] + 1.4 * sigma * sigma;
       height *= axes[i] / std::sqrt(square);
-      exponent << (i > 0 ? "+" : "") << "(" << "xyz"[i] << "-" << center[i] << ")^2/" << square;
+      exponent << (i > 0 ? "+" : "") << "("
+               << "xyz"[i] << "-" << center[i] << ")^2/" << square;
     }
     text << " - " << height << "*exp(-0.7*(" << exponent.str() << "))";
   }
@@ -251,7 +252,8 @@ TEST(ImageMongeForm, TakesAnyScalarsAndFlagsPointsOutside)
   forms->SetIsoValue(1.0);
   forms->Update();
   EXPECT_EQ(messages.NumberOfWarnings(), 1u);
-  EXPECT_NE(messages.WarningText().find("1 of 642, where the surface or a derivative is not finite"),
+  EXPECT_NE(
+    messages.WarningText().find("1 of 642, where the surface or a derivative is not finite"),
     std::string::npos)
     << messages.WarningText();
   const double radius = std::sqrt(1.0 - 3.0 * 0.15 * 0.15); // sigma is 1.5 samples
@@ -281,7 +283,8 @@ TEST(ImageMongeForm, RefusesBadInputWithOneError)
   image->SetDimensions(10, 10, 10);
   EXPECT_NE(errorOf(image, 1.0).find("no scalars"), std::string::npos);
   Sample(image, [](double x, double, double) { return x - 4.5; });
-  EXPECT_NE(errorOf(image, std::numeric_limits<double>::quiet_NaN()).find("Sigma"), std::string::npos);
+  EXPECT_NE(
+    errorOf(image, std::numeric_limits<double>::quiet_NaN()).find("Sigma"), std::string::npos);
   image->SetSpacing(1.0, 0.0, 1.0);
   EXPECT_NE(errorOf(image, 1.0).find("spacing"), std::string::npos);
   vtkNew<vtkImageData> flat;

@@ -66,8 +66,8 @@ vtkSmartPointer<vtkPolyData> MeshOf(const Case& c)
 
 } // namespace
 
-// Of inscribed triangles the volume is too small, by about an eighth of the area times the square of
-// the edge length and the curvature.
+// Of inscribed triangles the volume is too small, by about an eighth of the area times the square
+// of the edge length and the curvature.
 TEST(ImplicitSurfaceMesh, IsClosedOutwardAndEven)
 {
   for (const Case& c : Cases)
@@ -102,8 +102,8 @@ TEST(ImplicitSurfaceMesh, IsClosedOutwardAndEven)
     EXPECT_GT(least, 30.0);
     EXPECT_GT(shortest, 0.65 * c.edgeLength);
     EXPECT_LT(longest, 1.4 * c.edgeLength);
-    EXPECT_NEAR(sum / static_cast<double>(mesh.triangles.size()), 1.03 * c.edgeLength,
-      0.02 * c.edgeLength);
+    EXPECT_NEAR(
+      sum / static_cast<double>(mesh.triangles.size()), 1.03 * c.edgeLength, 0.02 * c.edgeLength);
   }
 }
 
@@ -181,9 +181,11 @@ TEST(ImplicitSurfaceMesh, ErrorsAreOneLineThatShowsThePlace)
   const double none = std::numeric_limits<double>::quiet_NaN();
   EXPECT_NE(errorOf("x^2 + 3*", 0.2, 1.0).find("the formula ends where"), std::string::npos);
   EXPECT_NE(errorOf("x^2 + y*z^)", 0.2, 1.0).find("at character 11, \")\""), std::string::npos);
-  EXPECT_NE(errorOf("x^2 + y^2 + z^2 + 1", 0.2, 1.0).find("surface is empty: within the Bounds f is from 1"),
+  EXPECT_NE(errorOf("x^2 + y^2 + z^2 + 1", 0.2, 1.0)
+              .find("surface is empty: within the Bounds f is from 1"),
     std::string::npos);
-  EXPECT_NE(errorOf("(x^2 + y^2 + z^2 - 1)^2", 0.21, 1.0).find("surface is empty"), std::string::npos);
+  EXPECT_NE(
+    errorOf("(x^2 + y^2 + z^2 - 1)^2", 0.21, 1.0).find("surface is empty"), std::string::npos);
   EXPECT_NE(errorOf("x + log(y)", 0.2, 1.0).find("because of what is at character 5, \"log(y)\""),
     std::string::npos);
   EXPECT_NE(errorOf("x", 1e-5, 1.0).find("too short for the Bounds"), std::string::npos);

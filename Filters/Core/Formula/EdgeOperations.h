@@ -31,8 +31,7 @@ Id SplitLongEdges(EditableMesh& mesh, double longest, const PlacePoint& place);
 
 /// Contracts edges that are shorter, the shortest first, unless that would change the topology,
 /// fold the surface or make an edge longer than `longest`. Points on the border stay.
-Id CollapseShortEdges(
-  EditableMesh& mesh, double shortest, double longest, const PlacePoint& place);
+Id CollapseShortEdges(EditableMesh& mesh, double shortest, double longest, const PlacePoint& place);
 
 /// Replaces edges whose opposite angles add up to more than pi by the other diagonal of their two
 /// triangles, unless that would fold the surface or double an edge.

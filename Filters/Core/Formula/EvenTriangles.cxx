@@ -53,8 +53,7 @@ bool Relax(
   {
     for (Id p = begin; p < end; ++p)
     {
-      targets[p] =
-        around.MeanCentroid(p, [&mesh](Id corner) { return mesh.points[corner]; });
+      targets[p] = around.MeanCentroid(p, [&mesh](Id corner) { return mesh.points[corner]; });
     }
   };
   return loop(count, aim) && MovePoints(mesh, targets, surface, edgeLength, loop);
@@ -83,8 +82,8 @@ bool MakeEven(
     single.count = 1;
     single.position[0] = point;
     surface.Locate(single);
-    const bool isGood = single.fault[0] == ExactFault::None &&
-      (single.position[0] - point).norm() <= edgeLength;
+    const bool isGood =
+      single.fault[0] == ExactFault::None && (single.position[0] - point).norm() <= edgeLength;
     point = isGood ? single.position[0] : point;
     return isGood;
   };

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
 
 namespace ridges
@@ -180,6 +181,7 @@ public:
     {
       return;
     }
+    this->RepeatOneThatGoesOn();
     const Linearization there(this->Function_, this->Trial_);
     for (int lane = 0; lane < this->Points_.count; ++lane)
     {
@@ -212,6 +214,21 @@ private:
   {
     this->IsDone_[lane] = true;
     --this->Left_;
+  }
+
+  /// Lanes that are done take the point of another, as what is evaluated point by point need not
+  /// be evaluated for them again.
+  void RepeatOneThatGoesOn()
+  {
+    const auto first = static_cast<std::size_t>(
+      std::find(this->IsDone_.begin(), this->IsDone_.end(), false) - this->IsDone_.begin());
+    for (int lane = 0; lane < this->Points_.count; ++lane)
+    {
+      if (this->IsDone_[lane])
+      {
+        this->Trial_.position[lane] = this->Trial_.position[first];
+      }
+    }
   }
 
   void Aim(int lane)

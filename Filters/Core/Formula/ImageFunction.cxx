@@ -51,8 +51,8 @@ Eigen::Matrix<double, Orders, Orders> SmoothedPowers(double variance)
   return powers;
 }
 
-/// Five samples at least are needed: the window, which the moments do not depend on, is not narrower
-/// than a sample.
+/// Five samples at least are needed: the window, which the moments do not depend on, is not
+/// narrower than a sample.
 AxisWeights WeightsOf(double index, double smoothing, int size)
 {
   const double sigma = std::max(smoothing, 1.0);

@@ -15,7 +15,7 @@ struct ImageGrid
 {
   const double* values = nullptr;
   std::array<int, 3> size{};
-  Eigen::Vector3d origin = Eigen::Vector3d::Zero(); ///< Of sample 0, 0, 0.
+  Eigen::Vector3d origin = Eigen::Vector3d::Zero();   ///< Of sample 0, 0, 0.
   Eigen::Matrix3d axes = Eigen::Matrix3d::Identity(); ///< Orthonormal columns.
   Eigen::Vector3d spacing = Eigen::Vector3d::Ones();
 };

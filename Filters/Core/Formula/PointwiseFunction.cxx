@@ -52,6 +52,27 @@ void SetLane(Taylor3<Degree, Lanes>& lanes, const Taylor3<Degree>& jet, int lane
   }
 }
 
+/// The first lane with the same point as a lane.
+int FirstEqual(const LaneVector3& x, int lane)
+{
+  int first = 0;
+  while (first < lane && LaneOf(x, first) != LaneOf(x, lane))
+  {
+    ++first;
+  }
+  return first;
+}
+
+void CopyLane(Taylor3<1, Lanes>& lanes, int from, int to)
+{
+  Taylor3<1> jet;
+  jet.Set(0, 0, 0, lanes(0, 0, 0)[from]);
+  jet.Set(1, 0, 0, lanes(1, 0, 0)[from]);
+  jet.Set(0, 1, 0, lanes(0, 1, 0)[from]);
+  jet.Set(0, 0, 1, lanes(0, 0, 1)[from]);
+  SetLane(lanes, jet, to);
+}
+
 } // namespace
 
 JetFunction::Jet1 PointwiseFunction::Linear(const LaneVector3& x) const
@@ -59,12 +80,17 @@ JetFunction::Jet1 PointwiseFunction::Linear(const LaneVector3& x) const
   Jet1 result;
   for (int lane = 0; lane < Lanes::Count; ++lane)
   {
+    const int before = FirstEqual(x, lane);
+    if (before < lane)
+    {
+      CopyLane(result, before, lane);
+      continue;
+    }
     std::array<double, Jet1::Size> values{};
     this->Evaluate(LaneOf(x, lane), 1, values.data());
     const Eigen::Vector3d gradient =
       this->ToOwn_.transpose() * Eigen::Map<const Eigen::Vector3d>(&values[1]);
-    SetLane(
-      result, Taylor3<1>::Linear(values[0], gradient[0], gradient[1], gradient[2]), lane);
+    SetLane(result, Taylor3<1>::Linear(values[0], gradient[0], gradient[1], gradient[2]), lane);
   }
   return result;
 }

@@ -84,8 +84,9 @@ LaneVector3 Everywhere(const Eigen::Vector3d& x)
 
 } // namespace
 
-// Inside, at the border and beyond a corner; for a Gaussian narrower than the spacing and for a wide
-// one. Coefficients of order n have errors of round-off divided by the spacing to the power of n.
+// Inside, at the border and beyond a corner; for a Gaussian narrower than the spacing and for a
+// wide one. Coefficients of order n have errors of round-off divided by the spacing to the power of
+// n.
 TEST(ImageFunction, SmoothsPolynomialsExactlyEverywhere)
 {
   using Jet = Taylor3<4>;
@@ -110,7 +111,8 @@ TEST(ImageFunction, SmoothsPolynomialsExactlyEverywhere)
       {
         variables[i] = Jet::Linear(x[i], frame(i, 0), frame(i, 1), frame(i, 2));
       }
-      const Jet expected = SmoothedPolynomial(variables[0], variables[1], variables[2], sigma) - 0.25;
+      const Jet expected =
+        SmoothedPolynomial(variables[0], variables[1], variables[2], sigma) - 0.25;
       for (int d = 0; d <= 4; ++d)
       {
         for (int i = Jet::Offset(d); i < Jet::Offset(d + 1); ++i)
@@ -121,8 +123,8 @@ TEST(ImageFunction, SmoothsPolynomialsExactlyEverywhere)
         }
       }
       const auto linear = function.Linear(Everywhere(x));
-      const auto gradient = Eigen::Vector3d(linear.Coefficients()[1][0],
-        linear.Coefficients()[2][0], linear.Coefficients()[3][0]);
+      const auto gradient = Eigen::Vector3d(
+        linear.Coefficients()[1][0], linear.Coefficients()[2][0], linear.Coefficients()[3][0]);
       const Eigen::Vector3d inFrame = frame.transpose() * gradient;
       for (int i = 0; i < 3; ++i)
       {
@@ -148,13 +150,14 @@ TEST(ImageFunction, SmoothsAGaussian)
   const ImageFunction function(image.grid, sigma, 0.0);
   const double wide = width * width + sigma * sigma;
   const Eigen::Vector3d x(0.33, -0.21, 0.47);
-  const auto found = function.Full(Everywhere(x),
-    { Everywhere({ 1, 0, 0 }), Everywhere({ 0, 1, 0 }), Everywhere({ 0, 0, 1 }) });
+  const auto found = function.Full(
+    Everywhere(x), { Everywhere({ 1, 0, 0 }), Everywhere({ 0, 1, 0 }), Everywhere({ 0, 0, 1 }) });
   using Jet = Taylor3<4>;
   const Jet u = Jet::Linear(x[0], 1, 0, 0);
   const Jet v = Jet::Linear(x[1], 0, 1, 0);
   const Jet w = Jet::Linear(x[2], 0, 0, 1);
-  const Jet expected = std::pow(width * width / wide, 1.5) * exp((-0.5 / wide) * (u * u + v * v + w * w));
+  const Jet expected =
+    std::pow(width * width / wide, 1.5) * exp((-0.5 / wide) * (u * u + v * v + w * w));
   for (int i = 0; i < Jet::Size; ++i)
   {
     EXPECT_NEAR(found.Coefficients()[i][0], expected.Coefficients()[i], 1e-5) << i;
