@@ -311,6 +311,18 @@ RidgeScore RidgeComparison::Score() const
   score.wholeRidges = this->WholeRidges;
   score.missingRidges = this->MissingRidges;
   score.spuriousRidges = this->SpuriousRidges;
+  double length = 0.0;
+  for (const FoundRidge& ridge : this->Found.ridges)
+  {
+    score.typedLines += static_cast<int>(ridge.lines.size());
+    length += LengthOf(ridge);
+  }
+  for (const TrueRidge& ridge : this->True.ridges)
+  {
+    score.arcs += NumberOfArcs(ridge);
+  }
+  const double wrong = this->OfFound.colors[0].wrongType + this->OfFound.colors[1].wrongType;
+  score.wrongType = length > 0.0 ? wrong / length : 0.0;
   for (const int end : { FoundEnd::Nowhere, FoundEnd::OnEdge })
   {
     score.looseEnds += this->EndsAt(end, true) + this->EndsAt(end, false);
@@ -323,10 +335,12 @@ void RidgeComparison::PrintLine(int eulerCharacteristic) const
 {
   const RidgeScore score = this->Score();
   std::printf("umbilics %d/%d right (+%d spurious, %d joined, off %.2f), index %g/%d; ridges "
-              "%d/%d whole, %d missing, %d spurious; 95%% %.3f %.3f max %.2f %.2f%s\n",
+              "%d/%d whole, %d missing, %d spurious; typed lines %d/%d, wrong type %.2f %%; 95%% "
+              "%.3f %.3f max %.2f %.2f%s\n",
     score.rightUmbilics, score.umbilics, score.spuriousUmbilics, score.joinedUmbilics,
     score.farthest, score.indexSum, eulerCharacteristic, score.wholeRidges, score.ridges,
-    score.missingRidges, score.spuriousRidges, this->OfFound.colors[0].percentile95,
+    score.missingRidges, score.spuriousRidges, score.typedLines, score.arcs,
+    100.0 * score.wrongType, this->OfFound.colors[0].percentile95,
     this->OfFound.colors[1].percentile95, this->OfFound.colors[0].greatest,
     this->OfFound.colors[1].greatest,
     DoubtsAbout(this->True.ridges, this->True.umbilics).empty() ? "" : " (reference in doubt)");

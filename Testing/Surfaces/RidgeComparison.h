@@ -32,6 +32,9 @@ struct RidgeScore
   int missingRidges = 0;    // more than half of which is not found
   int spuriousRidges = 0;   // found, but not there
   int looseEnds = 0;        // of those found, at no umbilic
+  int arcs = 0;             // true ones: parts of ridges of one type
+  int typedLines = 0;       // found
+  double wrongType = 0.0;   // share of the length found
 };
 
 class RidgeComparison

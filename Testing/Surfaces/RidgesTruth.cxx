@@ -1,16 +1,20 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkRidges contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// Compares the filters, with their default properties but the degree, with the exact umbilics and
+// Compares the filters, with their default properties but for the fit, with the exact umbilics and
 // ridges of an analytic surface:
 //
 //   RidgesTruth <surface> [--points 20000] [--patch-size 2] [--seed 0] [--noise 0]
-//               [--degree 4] [--reference 150000] [--cache <directory>] [--brief]
+//               [--degree 4] [--fit-points 18 | --rings 8 | --automatic] [--gaussian]
+//               [--smooth 0.01]
+//               [--reference 150000] [--cache <directory>] [--brief]
 //
 // surface: ellipsoid, blend, sphere, torus, "double torus", blob, metaballs; "blob:7" is another
 //   one of that kind.
 // --seed: other than 0, the mesh is turned, and points and triangles are renumbered, at random.
 // --noise: standard deviation of a displacement along the normals, in edges.
-// --degree: of the fit, whose neighbourhoods are the default ones of that degree.
+// --degree, --fit-points, --rings, --automatic, --gaussian: of vtkJetFitting; its defaults if not
+// given.
+// --smooth: all orders by vtkMongeSmoothing, to this share of the diameter. 0: not at all.
 // --reference: points of the mesh with exact Monge forms that the true ridges are traced on.
 // --cache: where meshes and true ridges are kept for the next run.
 // --brief: one line, and one for each failed check of vtkRidgeCoherence.
@@ -26,6 +30,7 @@
 
 #include "vtkDataArray.h"
 #include "vtkJetFitting.h"
+#include "vtkMongeSmoothing.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
@@ -62,7 +67,12 @@ struct Options
   double patchSize = 2.0;
   std::uint64_t seed = 0;
   double noise = 0.0;
-  int degree = 4;
+  int degree = 0;
+  int fitPoints = 0;
+  int rings = 0;
+  bool automatic = false;
+  bool gaussian = false;
+  double smooth = 0.0;
   int reference = 150000;
   std::string cache;
   bool brief = false;
@@ -83,6 +93,16 @@ Options ParseOptions(int argc, char** argv)
     if (name == "--brief")
     {
       options.brief = true;
+      continue;
+    }
+    if (name == "--gaussian")
+    {
+      options.gaussian = true;
+      continue;
+    }
+    if (name == "--automatic")
+    {
+      options.automatic = true;
       continue;
     }
     if (++i == argc)
@@ -109,6 +129,18 @@ Options ParseOptions(int argc, char** argv)
     else if (name == "--degree")
     {
       options.degree = std::stoi(value);
+    }
+    else if (name == "--fit-points")
+    {
+      options.fitPoints = std::stoi(value);
+    }
+    else if (name == "--rings")
+    {
+      options.rings = std::stoi(value);
+    }
+    else if (name == "--smooth")
+    {
+      options.smooth = std::stod(value);
     }
     else if (name == "--reference")
     {
@@ -202,6 +234,33 @@ double Seconds()
 }
 
 //------------------------------------------------------------------------------
+void SetFit(const Options& options, vtkJetFitting* jets)
+{
+  if (options.degree > 0)
+  {
+    jets->SetDegree(options.degree);
+  }
+  if (options.fitPoints > 0)
+  {
+    jets->SetNeighborhoodToPointCount();
+    jets->SetMinimumNumberOfPoints(options.fitPoints);
+  }
+  if (options.rings > 0)
+  {
+    jets->SetNeighborhoodToRings();
+    jets->SetNumberOfRings(options.rings);
+  }
+  if (options.gaussian)
+  {
+    jets->SetWeightingToGaussian();
+  }
+  if (options.automatic)
+  {
+    jets->SetNeighborhoodToAutomatic();
+  }
+}
+
+//------------------------------------------------------------------------------
 void Run(const Options& options)
 {
   const ClosedSurface closed = ClosedSurfaceByName(options.surface);
@@ -225,9 +284,14 @@ void Run(const Options& options)
   vtkNew<vtkUmbilicDetection> umbilics;
   vtkNew<vtkRidgeExtraction> ridges;
   const vtkSmartPointer<vtkPolyData> data = ToPolyData(mesh);
+  SetFit(options, jets);
   jets->SetInputData(data);
-  jets->SetDegree(options.degree);
-  umbilics->SetInputConnection(jets->GetOutputPort());
+  vtkNew<vtkMongeSmoothing> smoothing;
+  smoothing->SetMethodToAllOrders();
+  smoothing->SetRelativeSigma(options.smooth);
+  smoothing->SetInputConnection(jets->GetOutputPort());
+  umbilics->SetInputConnection(
+    options.smooth > 0.0 ? smoothing->GetOutputPort() : jets->GetOutputPort());
   umbilics->SetPatchSize(options.patchSize);
   ridges->SetInputConnection(umbilics->GetOutputPort());
   const double begin = Seconds();

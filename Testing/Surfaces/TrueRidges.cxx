@@ -289,6 +289,17 @@ private:
 } // namespace
 
 //------------------------------------------------------------------------------
+int NumberOfArcs(const TrueRidge& ridge)
+{
+  int turns = 0;
+  for (std::size_t i = 1; i < ridge.P.size(); ++i)
+  {
+    turns += (ridge.P[i] > 0.0) != (ridge.P[i - 1] > 0.0) ? 1 : 0;
+  }
+  return ridge.closed ? std::max(turns, 1) : turns + 1;
+}
+
+//------------------------------------------------------------------------------
 std::array<double, 5> LengthsByType(const std::vector<TrueRidge>& ridges)
 {
   std::array<double, 5> lengths{};

@@ -34,6 +34,9 @@ struct TrueRidge
 // By the types 1 to 4 of ridges; turning points by linear interpolation of P.
 std::array<double, 5> LengthsByType(const std::vector<TrueRidge>& ridges);
 
+// The parts of a ridge between its turning points. A loop without any is one.
+int NumberOfArcs(const TrueRidge& ridge);
+
 // All ridges, by marching the triangles of a fine mesh with exact Monge forms at its points, each
 // crossing then moved onto the exact ridge. Right if the mesh tells neighbouring ridges apart.
 std::vector<TrueRidge> FindRidges(
