@@ -278,7 +278,8 @@ std::string vtkRidgesArrayReader::GetFaults() const
   std::vector<std::string> texts;
   for (const auto& [source, names] : this->Missing)
   {
-    texts.push_back(source + " lacks " + names);
+    texts.push_back(source);
+    texts.back().append(" lacks ").append(names);
   }
   texts.insert(texts.end(), this->Faults.begin(), this->Faults.end());
   return ListOf(texts);

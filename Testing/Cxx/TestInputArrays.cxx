@@ -203,9 +203,9 @@ TEST(InputArrays, StatusThatIsNoIntegerIsAnError)
 TEST(InputArrays, ValuesThatAreNotFiniteAreCountedInOneWarning)
 {
   const auto mesh = FittedEllipsoid();
-  const double NaN = std::numeric_limits<double>::quiet_NaN();
-  mesh->GetPointData()->GetArray(names::ThirdOrder)->SetComponent(5, 2, NaN);
-  mesh->GetPointData()->GetArray(names::FitResidual)->SetComponent(6, 0, NaN);
+  const double notANumber = std::numeric_limits<double>::quiet_NaN();
+  mesh->GetPointData()->GetArray(names::ThirdOrder)->SetComponent(5, 2, notANumber);
+  mesh->GetPointData()->GetArray(names::FitResidual)->SetComponent(6, 0, notANumber);
   vtkDataArray* k1 = mesh->GetPointData()->GetArray(names::MaximumCurvature);
   vtkNew<vtkUmbilicDetection> umbilics;
   vtkNew<vtkRidgeExtraction> ridges;
@@ -224,7 +224,7 @@ TEST(InputArrays, ValuesThatAreNotFiniteAreCountedInOneWarning)
   expectWarning(umbilics, two);
   expectWarning(ridges, two);
   expectWarning(foliation, ""); // It does not read these.
-  k1->Fill(NaN);
+  k1->Fill(notANumber);
   const std::string all = "1442 points have values that are not finite (MaximumCurvature";
   expectWarning(umbilics, all);
   expectWarning(ridges, all);

@@ -57,6 +57,7 @@ std::vector<Umbilic> Detect(const TriangleMesh& mesh, const MongeField& field, d
 {
   GapMinima minima(mesh, field, patchSize);
   std::vector<Id> smallestAround;
+  smallestAround.reserve(mesh.NumberOfPoints());
   for (Id p = 0; p < mesh.NumberOfPoints(); ++p)
   {
     smallestAround.push_back(SmallestGapAround(mesh, field, p));
@@ -194,6 +195,7 @@ TEST(GapMinima, OfEqualGapsAroundAPointOneIsSmallest)
   form.d1 = Vector3d::UnitX();
   form.d2 = Vector3d::UnitY();
   std::vector<Id> smallestAround;
+  smallestAround.reserve(mesh.NumberOfPoints());
   for (Id p = 0; p < mesh.NumberOfPoints(); ++p)
   {
     field.Set(p, form);
