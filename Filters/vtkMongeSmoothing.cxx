@@ -172,10 +172,14 @@ struct SecondOrder
   {
     return ridges::SecondOrderFromSpace(values, form);
   }
-  static void StoreP(const std::array<double, 9>&, vtkIdType, SmoothedArrays&) {}
+  static void StoreHighest(
+    const std::array<double, 9>&, const ridges::MongeForm&, vtkIdType, SmoothedArrays&)
+  {
+  }
 };
 
-struct AllOrders
+/// Of all orders, where P1 and P2 stand for the fourth.
+struct ThirdOrder
 {
   static constexpr int Components = 21;
   static std::array<double, 21> ToSpace(const ridges::MongeField& field, Id p)
@@ -186,9 +190,28 @@ struct AllOrders
   {
     return ridges::ThirdOrderFromSpace(values, form);
   }
-  static void StoreP(const std::array<double, 21>& values, vtkIdType p, SmoothedArrays& out)
+  static void StoreHighest(const std::array<double, 21>& values, const ridges::MongeForm&,
+    vtkIdType p, SmoothedArrays& out)
   {
     out.StoreP(p, values[19], values[20]);
+  }
+};
+
+struct FourthOrder
+{
+  static constexpr int Components = 34;
+  static std::array<double, 34> ToSpace(const ridges::MongeField& field, Id p)
+  {
+    return ridges::FourthOrderToSpace(field, p);
+  }
+  static bool FromSpace(const std::array<double, 34>& values, ridges::MongeForm& form)
+  {
+    return ridges::FourthOrderFromSpace(values, form);
+  }
+  static void StoreHighest(
+    const std::array<double, 34>&, const ridges::MongeForm& form, vtkIdType p, SmoothedArrays& out)
+  {
+    out.StoreFourthOrder(p, form.c);
   }
 };
 
@@ -214,6 +237,7 @@ struct Task
   vtkDataArray* status;
   const double* scale;
   double sigma;
+  int steps; ///< 0: as many as sigma needs.
 };
 
 /// Averages and stores forms; false if the user aborted.
@@ -223,7 +247,9 @@ bool Smooth(const Task& task, SmoothedArrays& out)
   const ridges::MongeField& field = task.monge.arrays.GetField();
   const std::vector<std::uint8_t>& usable = task.monge.arrays.GetUsable();
   const auto count = static_cast<vtkIdType>(task.rings.Mesh().NumberOfPoints());
-  const ridges::SmoothingPlan plan(task.rings, task.scale, task.sigma);
+  const ridges::SmoothingPlan plan = task.steps > 0
+    ? ridges::SmoothingPlan(task.rings, task.scale, task.steps)
+    : ridges::SmoothingPlan(task.rings, task.scale, task.sigma);
   if (plan.IsCut())
   {
     vtkWarningWithObjectMacro(task.filter,
@@ -263,7 +289,7 @@ bool Smooth(const Task& task, SmoothedArrays& out)
       out.StoreSecondOrder(p, good ? form : ridges::MongeForm());
       if (good)
       {
-        Forms::StoreP(values, p, out);
+        Forms::StoreHighest(values, form, p, out);
       }
       out.StoreFit(p, good ? plan.Sigma(p) / ridges::SmoothingPlan::SigmaPerRadius : 0.0,
         good ? before : before | ridges::FitInvalid);
@@ -338,10 +364,13 @@ int vtkMongeSmoothing::RequestData(
     return 1;
   }
   const Task task{ this, monge, rings, mesh->GetPointData()->GetArray(names::FitStatus),
-    hasScale ? scale->GetPointer(0) : nullptr, sigma };
-  SmoothedArrays arrays(count, !allOrders);
-  if (!(allOrders ? Smooth<AllOrders>(task, arrays)
-                  : Smooth<SecondOrder>(task, arrays) && Differentiate(task, arrays)))
+    hasScale ? scale->GetPointer(0) : nullptr, sigma, this->NumberOfSteps };
+  const bool hasFourthOrder = monge.arrays.GetField().c != nullptr;
+  SmoothedArrays arrays(count, !allOrders || hasFourthOrder);
+  const bool isDone = !allOrders ? Smooth<SecondOrder>(task, arrays) && Differentiate(task, arrays)
+    : hasFourthOrder             ? Smooth<FourthOrder>(task, arrays)
+                                 : Smooth<ThirdOrder>(task, arrays);
+  if (!isDone)
   {
     return 1;
   }
@@ -358,4 +387,5 @@ void vtkMongeSmoothing::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Method: " << this->GetMethodAsString() << "\n";
   os << indent << "Sigma: " << this->Sigma << "\n";
   os << indent << "RelativeSigma: " << this->RelativeSigma << "\n";
+  os << indent << "NumberOfSteps: " << this->NumberOfSteps << "\n";
 }

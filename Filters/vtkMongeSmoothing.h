@@ -23,7 +23,7 @@
  * | MinimumDirection   | 3     | d2, unit                                           |       |
  * | Normals            | 3     | n, unit                                            |       |
  * | ThirdOrder         | 4     | b0 b1 b2 b3                                        | 1/L^2 |
- * | FourthOrder        | 5     | c0 c1 c2 c3 c4, not with ALL_ORDERS                | 1/L^3 |
+ * | FourthOrder        | 5     | c0 c1 c2 c3 c4                                     | 1/L^3 |
  * | P1, P2             | 1     | as vtkJetFitting has them                          | 1/L^4 |
  * | FitStatus          | 1     | that of the input; invalid also where values are not finite |
  * | FitScale           | 1     | radius whose fit of degree two smooths as much     | L     |
@@ -69,8 +69,9 @@ public:
   /**
    * What is averaged: curvatures and directions, whose derivatives then are b and c (default: the
    * derivatives of a smooth field are smooth, and ridges are few and clean), or the forms of all
-   * orders that the fit has found, P1 and P2 as numbers (for the complete ridges of a surface with
-   * noise: nothing is differentiated that the fit has differentiated already).
+   * orders that the fit has found, P1 and P2 as numbers if there is no FourthOrder (for the
+   * complete ridges of a surface with noise: nothing is differentiated that the fit has
+   * differentiated already).
    */
   vtkSetClampMacro(Method, int, SECOND_ORDER, ALL_ORDERS);
   vtkGetMacro(Method, int);
@@ -98,6 +99,16 @@ public:
   vtkGetMacro(RelativeSigma, double);
   ///@}
 
+  ///@{
+  /**
+   * That many averages over one-rings, in all of which each point takes part in full, in place of
+   * a scale: smoothing in units of edges, which follows the density of the mesh. 0 to 5000. Default
+   * 0: as many as Sigma or RelativeSigma needs.
+   */
+  vtkSetClampMacro(NumberOfSteps, int, 0, 5000);
+  vtkGetMacro(NumberOfSteps, int);
+  ///@}
+
 protected:
   vtkMongeSmoothing() = default;
   ~vtkMongeSmoothing() override = default;
@@ -106,6 +117,7 @@ protected:
   int Method = SECOND_ORDER;
   double Sigma = 0.0;
   double RelativeSigma = 0.01;
+  int NumberOfSteps = 0;
 
 private:
   vtkMongeSmoothing(const vtkMongeSmoothing&) = delete;

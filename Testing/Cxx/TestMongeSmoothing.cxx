@@ -116,8 +116,7 @@ TEST(MongeSmoothing, AveragesNoiseAway)
       after += std::abs(Value(smoothed->GetPointData(), names::ThirdOrder, p));
     }
     EXPECT_LT(after, 0.1 * before);
-    EXPECT_EQ(smoothed->GetPointData()->HasArray(names::FourthOrder),
-      method == vtkMongeSmoothing::SECOND_ORDER);
+    EXPECT_TRUE(smoothed->GetPointData()->HasArray(names::FourthOrder));
   }
 }
 
@@ -237,6 +236,35 @@ TEST(MongeSmoothing, NamesMissingArrays)
   smoothing->Update();
   ASSERT_EQ(messages.NumberOfErrors(), 2u);
   EXPECT_NE(messages.ErrorText().find("ThirdOrder"), std::string::npos);
+}
+
+// A regular point is one of seven, whose average has this variance along an axis.
+TEST(MongeSmoothing, StepsAreCountedInEdges)
+{
+  const auto data = EllipsoidData(24);
+  const auto fitted = Fit(data, 4);
+  fitted->GetPointData()->RemoveArray(names::FitScale);
+  vtkNew<vtkMongeSmoothing> smoothing;
+  smoothing->SetInputData(fitted);
+  smoothing->SetMethodToAllOrders();
+  double before = 0.0;
+  for (const int steps : { 4, 16 })
+  {
+    smoothing->SetNumberOfSteps(steps);
+    smoothing->Update();
+    vtkDataArray* scale = smoothing->GetOutput()->GetPointData()->GetArray(names::FitScale);
+    const double now = scale->GetTuple1(data->GetNumberOfPoints() / 2);
+    if (before > 0.0)
+    {
+      EXPECT_NEAR(now, 2.0 * before, 1e-12);
+    }
+    before = now;
+  }
+  // Edges are of different lengths here: 0.03 to 0.06.
+  EXPECT_GT(before, 2.5 * 0.02 * std::sqrt(16 * 3.0 / 7.0));
+  EXPECT_LT(before, 2.5 * 0.08 * std::sqrt(16 * 3.0 / 7.0));
+  smoothing->SetNumberOfSteps(-1);
+  EXPECT_EQ(smoothing->GetNumberOfSteps(), 0);
 }
 
 TEST(MongeSmoothing, NothingComesOfNothing)

@@ -92,5 +92,6 @@ bool RingAveraging<Components>::Get(Id p, Values& values) const
 
 template class RingAveraging<9>;
 template class RingAveraging<21>;
+template class RingAveraging<34>;
 
 } // namespace ridges

@@ -12,10 +12,6 @@ namespace ridges
 namespace
 {
 
-/// Number of the component of a symmetric tensor of order three with these indices.
-constexpr int ThirdOrderIndex[3][3][3] = { { { 0, 1, 2 }, { 1, 3, 4 }, { 2, 4, 5 } },
-  { { 1, 3, 4 }, { 3, 6, 7 }, { 4, 7, 8 } }, { { 2, 4, 5 }, { 4, 7, 8 }, { 5, 8, 9 } } };
-
 void AddNormalAndSecondOrder(const MongeField& field, Id p, double* values)
 {
   const Eigen::Vector3d d1 = field.D1(p);
@@ -68,21 +64,89 @@ bool FrameFromSpace(const double* values, MongeForm& form)
   return true;
 }
 
-double Contract(const double* tensor, const Eigen::Vector3d& u, const Eigen::Vector3d& v,
-  const Eigen::Vector3d& w)
+/// Frames take part in products of their vectors only.
+using Frame = std::array<Eigen::Vector3d, 2>;
+
+/// The tensor whose component along i times d1 and order - i times d2, in any order, is
+/// form[order - i], as its components with indices that do not descend.
+template <int Order>
+void AddTensor(const double* form, const Frame& frame, double* values)
 {
-  double sum = 0.0;
-  for (int i = 0; i < 3; ++i)
+  std::array<int, Order> index{};
+  for (int at = 0;; ++at)
   {
-    for (int j = 0; j < 3; ++j)
+    double sum = 0.0;
+    for (unsigned choice = 0; choice < (1U << Order); ++choice)
     {
-      for (int k = 0; k < 3; ++k)
+      double product = 1.0;
+      int seconds = 0;
+      for (int i = 0; i < Order; ++i)
       {
-        sum += tensor[ThirdOrderIndex[i][j][k]] * u[i] * v[j] * w[k];
+        const unsigned which = (choice >> i) & 1U;
+        product *= frame[which][index[i]];
+        seconds += static_cast<int>(which);
       }
+      sum += form[seconds] * product;
     }
+    values[at] = sum;
+    int last = Order - 1;
+    while (last >= 0 && index[last] == 2)
+    {
+      --last;
+    }
+    if (last < 0)
+    {
+      return;
+    }
+    std::fill(index.begin() + last, index.end(), index[last] + 1);
   }
-  return sum;
+}
+
+/// The other way round.
+template <int Order>
+void TakeForm(const double* values, const Frame& frame, double* form)
+{
+  std::array<int, Order> index{};
+  std::fill_n(form, Order + 1, 0.0);
+  for (int at = 0;; ++at)
+  {
+    // A component stands for all orders of its indices. Of these each is one of the products that
+    // a polynomial in t, the product of d1[i] + t d2[i], has: its coefficients are those of the
+    // form, but for the binomials.
+    std::array<double, Order + 1> polynomial{ 1.0 };
+    std::array<int, 3> counts{};
+    double orders = 1.0;
+    for (int i = 0; i < Order; ++i)
+    {
+      for (int k = i; k >= 0; --k)
+      {
+        polynomial[k + 1] += polynomial[k] * frame[1][index[i]];
+        polynomial[k] *= frame[0][index[i]];
+      }
+      ++counts[index[i]];
+      orders *= static_cast<double>(i + 1) / counts[index[i]];
+    }
+    for (int k = 0; k <= Order; ++k)
+    {
+      form[k] += orders * values[at] * polynomial[k];
+    }
+    int last = Order - 1;
+    while (last >= 0 && index[last] == 2)
+    {
+      --last;
+    }
+    if (last < 0)
+    {
+      break;
+    }
+    std::fill(index.begin() + last, index.end(), index[last] + 1);
+  }
+  double binomial = 1.0;
+  for (int k = 0; k <= Order; ++k)
+  {
+    form[k] /= binomial;
+    binomial *= static_cast<double>(Order - k) / (k + 1);
+  }
 }
 
 } // namespace
@@ -98,37 +162,19 @@ ThirdOrderValues ThirdOrderToSpace(const MongeField& field, Id p)
 {
   ThirdOrderValues values{};
   AddNormalAndSecondOrder(field, p, values.data());
-  const Eigen::Vector3d d1 = field.D1(p);
-  const Eigen::Vector3d d2 = field.D2(p);
-  const double* b = field.ThirdOrder(p);
-  for (int i = 0; i < 3; ++i)
-  {
-    for (int j = i; j < 3; ++j)
-    {
-      for (int k = j; k < 3; ++k)
-      {
-        values[9 + ThirdOrderIndex[i][j][k]] = b[0] * d1[i] * d1[j] * d1[k] +
-          b[1] * (d1[i] * d1[j] * d2[k] + d1[i] * d2[j] * d1[k] + d2[i] * d1[j] * d1[k]) +
-          b[2] * (d1[i] * d2[j] * d2[k] + d2[i] * d1[j] * d2[k] + d2[i] * d2[j] * d1[k]) +
-          b[3] * d2[i] * d2[j] * d2[k];
-      }
-    }
-  }
-  if (field.c)
-  {
-    MongeForm form;
-    form.k1 = field.k1[p];
-    form.k2 = field.k2[p];
-    std::copy_n(b, 4, form.b.begin());
-    std::copy_n(field.c + 5 * static_cast<std::size_t>(p), 5, form.c.begin());
-    values[19] = form.P1();
-    values[20] = form.P2();
-  }
-  else
-  {
-    values[19] = field.P(Color::Blue, p);
-    values[20] = field.P(Color::Red, p);
-  }
+  AddTensor<3>(field.ThirdOrder(p), { field.D1(p), field.D2(p) }, values.data() + 9);
+  values[19] = field.P(Color::Blue, p);
+  values[20] = field.P(Color::Red, p);
+  return values;
+}
+
+FourthOrderValues FourthOrderToSpace(const MongeField& field, Id p)
+{
+  FourthOrderValues values{};
+  AddNormalAndSecondOrder(field, p, values.data());
+  const Frame frame{ field.D1(p), field.D2(p) };
+  AddTensor<3>(field.ThirdOrder(p), frame, values.data() + 9);
+  AddTensor<4>(field.c + 5 * static_cast<std::size_t>(p), frame, values.data() + 19);
   return values;
 }
 
@@ -143,11 +189,28 @@ bool ThirdOrderFromSpace(const ThirdOrderValues& values, MongeForm& form)
   {
     return false;
   }
-  const double* tensor = values.data() + 9;
-  form.b = { Contract(tensor, form.d1, form.d1, form.d1),
-    Contract(tensor, form.d1, form.d1, form.d2), Contract(tensor, form.d1, form.d2, form.d2),
-    Contract(tensor, form.d2, form.d2, form.d2) };
+  TakeForm<3>(values.data() + 9, { form.d1, form.d2 }, form.b.data());
   return true;
+}
+
+bool FourthOrderFromSpace(const FourthOrderValues& values, MongeForm& form)
+{
+  if (!FrameFromSpace(values.data(), form))
+  {
+    return false;
+  }
+  const Frame frame{ form.d1, form.d2 };
+  TakeForm<3>(values.data() + 9, frame, form.b.data());
+  TakeForm<4>(values.data() + 19, frame, form.c.data());
+  return true;
+}
+
+SmoothingPlan::SmoothingPlan(const OneRings& rings, const double* fitScale, int steps)
+  : Rings_(rings)
+  , FitScale_(fitScale)
+  , Steps_(steps)
+  , IsEven_(true)
+{
 }
 
 SmoothingPlan::SmoothingPlan(const OneRings& rings, const double* fitScale, double sigma)
@@ -192,7 +255,9 @@ double SmoothingPlan::StepsFor(Id p) const
 
 double SmoothingPlan::Share(Id p) const
 {
-  return std::min(1.0, std::max<double>(LeastSteps, this->StepsFor(p)) / this->Steps_);
+  return this->IsEven_
+    ? 1.0
+    : std::min(1.0, std::max<double>(LeastSteps, this->StepsFor(p)) / this->Steps_);
 }
 
 double SmoothingPlan::Sigma(Id p) const

@@ -17,13 +17,16 @@ namespace ridges
  * has to be chosen for a direction, and umbilics are nothing special.
  *
  * The second-order form is T = k1 d1 d1' + k2 d2 d2', 6 numbers, stored after the normal; the third
- * order one has 10 numbers; P1 and P2 are averaged as they are.
+ * order one has 10 numbers, the fourth order one 15. Where that is missing P1 and P2 are averaged
+ * as they are.
  */
 using SecondOrderValues = std::array<double, 9>;
 using ThirdOrderValues = std::array<double, 21>;
+using FourthOrderValues = std::array<double, 34>;
 
 SecondOrderValues SecondOrderToSpace(const MongeField& field, Id p);
 ThirdOrderValues ThirdOrderToSpace(const MongeField& field, Id p);
+FourthOrderValues FourthOrderToSpace(const MongeField& field, Id p); ///< Needs c.
 
 /// The principal curvatures and directions of the tensor in the plane that the averaged normal is
 /// normal to. False where that normal is zero: then opposite sides of a fold were averaged.
@@ -32,6 +35,9 @@ bool SecondOrderFromSpace(const SecondOrderValues& values, MongeForm& form);
 /// The same with b. P1 and P2 of a form follow from its c, which are not averaged: here they are
 /// values[19] and values[20].
 bool ThirdOrderFromSpace(const ThirdOrderValues& values, MongeForm& form);
+
+/// The same with b and c.
+bool FourthOrderFromSpace(const FourthOrderValues& values, MongeForm& form);
 
 /**
  * How many averages over one-rings smooth a field to a Gaussian of standard deviation sigma, and
@@ -58,6 +64,9 @@ public:
   /// `fitScale` has the radius of the fit at each point; null stands for 0.
   SmoothingPlan(const OneRings& rings, const double* fitScale, double sigma);
 
+  /// That many steps, in which all points take part in full.
+  SmoothingPlan(const OneRings& rings, const double* fitScale, int steps);
+
   int Steps() const { return this->Steps_; }
 
   /// Whether the scale was out of reach for MostSteps.
@@ -74,9 +83,10 @@ private:
 
   const OneRings& Rings_;
   const double* FitScale_;
-  double Variance_;
+  double Variance_ = 0.0;
   int Steps_ = LeastSteps;
   bool IsCut_ = false;
+  bool IsEven_ = false;
 };
 
 } // namespace ridges

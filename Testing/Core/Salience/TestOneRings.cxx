@@ -259,5 +259,49 @@ TEST(TensorSmoothing, FormsComeBackFromSpace)
     }
     EXPECT_NEAR(values[19], field.P1[p], 1e-12 * std::abs(field.P1[p]));
     EXPECT_NEAR(values[20], field.P2[p], 1e-12 * std::abs(field.P2[p]));
+
+    ASSERT_TRUE(FourthOrderFromSpace(FourthOrderToSpace(field.View(), p), form));
+    for (int i = 0; i < 4; ++i)
+    {
+      EXPECT_NEAR(form.b[i], sign * field.b[4 * p + i], 1e-13);
+    }
+    for (int i = 0; i < 5; ++i)
+    {
+      EXPECT_NEAR(form.c[i], field.c[5 * p + i], 1e-13);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+// The average of two forms does not depend on the frames that they are given in: a quarter turn
+// exchanges k1 and k2 of the negative form, and with them the coefficients.
+TEST(TensorSmoothing, TensorsDoNotDependOnTheFrame)
+{
+  const MeshedSurface surface(Icosphere(2));
+  const FieldArrays field = RandomField(surface.Triangles(), 5);
+  FieldArrays turned = field;
+  for (Id p = 0; p < surface.Triangles().NumberOfPoints(); ++p)
+  {
+    // x is -y of the turned frame, and y its x.
+    for (int i = 0; i < 3; ++i)
+    {
+      turned.d1[3 * p + i] = field.d2[3 * p + i];
+      turned.d2[3 * p + i] = -field.d1[3 * p + i];
+    }
+    std::swap(turned.k1[p], turned.k2[p]);
+    for (int i = 0; i < 4; ++i)
+    {
+      turned.b[4 * p + i] = (i % 2 == 0 ? 1.0 : -1.0) * field.b[4 * p + 3 - i];
+    }
+    for (int i = 0; i < 5; ++i)
+    {
+      turned.c[5 * p + i] = (i % 2 == 0 ? 1.0 : -1.0) * field.c[5 * p + 4 - i];
+    }
+    const FourthOrderValues expected = FourthOrderToSpace(field.View(), p);
+    const FourthOrderValues actual = FourthOrderToSpace(turned.View(), p);
+    for (std::size_t i = 0; i < expected.size(); ++i)
+    {
+      EXPECT_NEAR(actual[i], expected[i], 1e-14) << i;
+    }
   }
 }
