@@ -3,17 +3,15 @@
 #include "vtkJetFitting.h"
 
 #include "Core/Fit/JetFit.h"
-#include "Core/Fit/ScaleSelection.h"
 #include "Core/Mesh/OrderedRings.h"
 #include "Core/Mesh/RingNeighborhood.h"
 #include "vtkRidgesArrayNames.h"
 #include "vtkRidgesBatches.h"
-#include "vtkRidgesFieldData.h"
 #include "vtkRidgesFitPoints.h"
 #include "vtkRidgesGhosts.h"
+#include "vtkRidgesJetSelection.h"
 #include "vtkRidgesMesh.h"
 #include "vtkRidgesMongeOutput.h"
-#include "vtkRidgesPerThread.h"
 #include "vtkRidgesRequest.h"
 #include "vtkRidgesUmbilicMarks.h"
 
@@ -44,20 +42,6 @@ static_assert(static_cast<int>(vtkJetFitting::FIT_BOUNDARY) == ridges::FitBounda
 namespace
 {
 
-/// The number of rings that was selected, or 0; what an earlier fit left is removed.
-void StoreSelectedRings(vtkPolyData* mesh, int rings)
-{
-  vtkFieldData* field = vtkRidgesOwnFieldData(mesh);
-  field->RemoveArray(names::SelectedNumberOfRings);
-  if (rings > 0)
-  {
-    vtkNew<vtkIntArray> selected;
-    selected->SetName(names::SelectedNumberOfRings);
-    selected->InsertNextValue(rings);
-    field->AddArray(selected);
-  }
-}
-
 /// The properties, as far as they are about a single fit.
 vtkRidgesFitPoints::Settings SettingsOf(vtkJetFitting* filter)
 {
@@ -85,31 +69,6 @@ struct BuildRings
   void operator()(vtkIdType begin, vtkIdType end)
   {
     this->rings.Build(static_cast<ridges::Id>(begin), static_cast<ridges::Id>(end));
-  }
-};
-
-struct TryScales
-{
-  const ridges::TriangleMesh& mesh;
-  const ridges::OrderedRings& rings;
-  int degree;
-  int minimumNumberOfPoints;
-  const std::vector<ridges::Id>& sample;
-  std::vector<ridges::ScaleTrial>& trials;
-  vtkRidgesPerThread<ridges::ScaleProbe> perThread;
-
-  void operator()(vtkIdType begin, vtkIdType end)
-  {
-    ridges::ScaleProbe& probe = this->perThread.Get(
-      [this]
-      {
-        return std::make_shared<ridges::ScaleProbe>(
-          this->mesh, this->rings, this->degree, this->minimumNumberOfPoints);
-      });
-    for (vtkIdType i = begin; i < end; ++i)
-    {
-      this->trials[i] = probe.Try(this->sample[i]);
-    }
   }
 };
 
@@ -232,8 +191,10 @@ int vtkJetFitting::RequestData(
   }
   const ridges::TriangleMesh& triangles = mesh.GetTriangles();
   const vtkIdType count = mesh.GetPolyData()->GetNumberOfPoints();
-  vtkRidgesMongeOutput arrays(
-    count, std::min(this->MongeOrder, this->Degree), this->StandardErrors);
+  const bool isAutomatic = this->Neighborhood == AUTOMATIC;
+  vtkRidgesMongeOutput arrays(count,
+    isAutomatic ? this->MongeOrder : std::min(this->MongeOrder, this->Degree),
+    this->StandardErrors);
   ridges::OrderedRings rings(triangles);
   BuildRings buildRings{ rings };
   if (!vtkRidgesForBatches(this, count, 0.1, 0.2, buildRings))
@@ -241,23 +202,22 @@ int vtkJetFitting::RequestData(
     return 1;
   }
   vtkRidgesFitPoints::Settings settings = SettingsOf(this);
-  int selectedRings = 0;
-  if (this->Neighborhood == AUTOMATIC && count > 0)
+  ridges::JetChoice choice;
+  if (isAutomatic)
   {
-    const std::vector<ridges::Id> sample = ridges::ScaleSample(triangles);
-    std::vector<ridges::ScaleTrial> trials(sample.size());
-    TryScales tryScales{ triangles, rings, this->Degree, settings.rule.minimumNumberOfPoints,
-      sample, trials, {} };
-    if (!vtkRidgesForBatches(this, static_cast<vtkIdType>(sample.size()), 0.2, 0.3, tryScales))
+    const int order = std::clamp(this->MongeOrder, 2, 3);
+    if (!vtkRidgesSelectJets(this, triangles, rings, order, 0.2, 0.3, choice))
     {
       return 1;
     }
-    selectedRings = ridges::SelectNumberOfRings(trials, this->Degree);
-    settings.rule.numberOfRings = selectedRings;
+    settings.degree = choice.degree;
+    settings.rule.numberOfRings = choice.numberOfRings;
+    settings.rule.minimumNumberOfPoints =
+      std::max(this->MinimumNumberOfPoints, ridges::JetFitter::FewestPoints(choice.degree));
   }
   vtkRidgesFitPoints fitPoints(triangles, rings, settings, arrays);
-  const double begin = this->Neighborhood == AUTOMATIC ? 0.3 : 0.2;
-  const vtkIdType batch = this->Degree > 4 ? 1 << 15 : 1 << 17;
+  const double begin = isAutomatic ? 0.3 : 0.2;
+  const vtkIdType batch = settings.degree > 4 ? 1 << 15 : 1 << 17;
   if (!vtkRidgesForBatches(this, count, begin, 1.0, fitPoints, batch))
   {
     return 1;
@@ -272,8 +232,17 @@ int vtkJetFitting::RequestData(
   output->ShallowCopy(mesh.GetPolyData());
   arrays.AddTo(output->GetPointData());
   vtkRidgesUmbilicMarks::RemoveFrom(output);
-  StoreSelectedRings(output, selectedRings);
   mesh.HandOnWith(output);
+  // Without P1 and P2 there are no types to flicker.
+  if (isAutomatic && choice.numberOfAverages > 0 && this->MongeOrder == 4)
+  {
+    vtkRidgesAverageJets(output, choice);
+  }
+  else
+  {
+    choice.numberOfAverages = 0;
+  }
+  vtkRidgesStoreJetChoice(output, isAutomatic && count > 0 ? &choice : nullptr);
   return 1;
 }
 

@@ -33,7 +33,8 @@
  *
  * and, if StandardErrors is on, the errors MaximumCurvatureError, MinimumCurvatureError,
  * ThirdOrderError (of b0 to b3), P1Error and P2Error, in the units of these values. If Neighborhood
- * is AUTOMATIC, the field array SelectedNumberOfRings has the number chosen.
+ * is AUTOMATIC, the field arrays SelectedDegree, SelectedNumberOfRings, SelectedNumberOfAverages
+ * and EstimatedNoise (standard deviation of the points, L) report the choice.
  *
  * Curvature is positive where the surface bends towards its normal: a sphere of radius r with
  * outward normals has k1 = k2 = -1/r. vtkCurvatures has the opposite sign.
@@ -112,9 +113,11 @@ public:
   /**
    * How a neighbourhood is chosen. BY_POINT_COUNT: whole rings until there are
    * MinimumNumberOfPoints points and the fit is well conditioned. BY_RINGS: exactly NumberOfRings
-   * rings. BY_RADIUS: what is connected inside the ball of a Radius. AUTOMATIC: the number of
-   * rings, 2 to 8, with the smallest estimated error of the curvatures, for noise independent from
-   * point to point. Default BY_POINT_COUNT: it follows the mesh's density and is right at borders.
+   * rings. BY_RADIUS: what is connected inside the ball of a Radius. AUTOMATIC: the degree, 4 to 8,
+   * and the rings, 2 to 24, with the least estimated error of ThirdOrder, or, with MongeOrder 2, of
+   * the curvatures from degree 2 on; Degree is not used. Where there is noise, two averages over
+   * one-rings follow (vtkMongeSmoothing), and the standard errors are those before. Default
+   * BY_POINT_COUNT: it follows the mesh's density and is right at borders.
    */
   vtkSetClampMacro(Neighborhood, int, BY_POINT_COUNT, AUTOMATIC);
   vtkGetMacro(Neighborhood, int);

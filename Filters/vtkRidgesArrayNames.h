@@ -43,7 +43,10 @@ constexpr const char* MongeInputs[] = { MaximumCurvature, MinimumCurvature, Maxi
 
 /// @name Mesh, field data, of vtkJetFitting
 ///@{
+constexpr const char* SelectedDegree = "SelectedDegree";
 constexpr const char* SelectedNumberOfRings = "SelectedNumberOfRings";
+constexpr const char* SelectedNumberOfAverages = "SelectedNumberOfAverages";
+constexpr const char* EstimatedNoise = "EstimatedNoise";
 ///@}
 
 /// @name Mesh, field data, of vtkImplicitSurfaceMesh

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkSalientRidges.h"
 
-#include "Core/Fit/ScaleSelection.h"
 #include "Core/Mesh/EnclosedVolume.h"
 #include "Core/Mesh/EnclosingSphere.h"
+#include "Core/Mesh/PositionSample.h"
 #include "Core/Salience/FoldEvening.h"
 #include "Core/Salience/NoiseFloor.h"
 #include "Core/Salience/TensorSmoothing.h"
@@ -237,7 +237,7 @@ bool vtkSalientRidges::vtkInternals::FindNoiseFloor(vtkPolyData* smoothed, doubl
   {
     return false;
   }
-  const std::vector<Id> sample = ridges::ScaleSample(mesh);
+  const std::vector<Id> sample = ridges::PositionSample(mesh, 2000.0);
   std::vector<double> heights;
   ridges::NoiseMeter(mesh, rings)
     .Measure({ sample.data(), sample.data() + sample.size() }, heights);

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRidgesGhosts.h"
 
+#include "Core/Fit/JetSelection.h"
+
 #include "vtkJetFitting.h"
 #include "vtkRidgesArrayReader.h"
 #include "vtkUmbilicDetection.h"
@@ -89,7 +91,7 @@ int vtkRidgesGhostLevelsOf(vtkJetFitting* filter)
       // n rings of a regular mesh have 3 n (n + 1) + 1 points; one more for irregular ones.
       return static_cast<int>(std::ceil(std::sqrt(filter->GetMinimumNumberOfPoints() / 3.0))) + 1;
     default:
-      return 8; // The most that the automatic choice takes.
+      return ridges::JetSelection::MostRings + 2; // Two averages may follow.
   }
 }
 

@@ -200,19 +200,15 @@ TEST(JetFittingDegrees, TakeMorePointsThanCoefficients)
 TEST(JetFittingDegrees, AutomaticNeighborhoodsHaveEnoughPoints)
 {
   const Mesh noisy = AddNormalNoise(EllipsoidMesh(28, 1.4, 1.0, 0.6), 1e-3, 3);
-  for (const int degree : { 5, 8 })
+  vtkNew<vtkJetFitting> jets;
+  jets->SetNeighborhoodToAutomatic();
+  jets->SetInputData(ToPolyData(noisy));
+  jets->Update();
+  vtkPolyData* fitted = jets->GetOutput();
+  // Noise of 3 % of an edge asks for more rings than any degree does.
+  EXPECT_GE(fitted->GetFieldData()->GetArray(names::SelectedNumberOfRings)->GetTuple1(0), 6.0);
+  for (vtkIdType p = 0; p < fitted->GetNumberOfPoints(); ++p)
   {
-    vtkNew<vtkJetFitting> jets;
-    jets->SetDegree(degree);
-    jets->SetNeighborhoodToAutomatic();
-    jets->SetInputData(ToPolyData(noisy));
-    jets->Update();
-    vtkPolyData* fitted = jets->GetOutput();
-    // Noise of 3 % of an edge asks for more rings than the degree does.
-    EXPECT_GE(fitted->GetFieldData()->GetArray(names::SelectedNumberOfRings)->GetTuple1(0), 6.0);
-    for (vtkIdType p = 0; p < fitted->GetNumberOfPoints(); ++p)
-    {
-      ASSERT_EQ(Value(fitted->GetPointData(), names::FitStatus, p), 0.0) << degree << " " << p;
-    }
+    ASSERT_EQ(Value(fitted->GetPointData(), names::FitStatus, p), 0.0) << p;
   }
 }

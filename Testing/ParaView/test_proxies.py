@@ -67,7 +67,7 @@ class TestProxies(unittest.TestCase):
         self.assertTrue(np.all(four > two))
         jets.Neighborhood = "Automatic"
         rings = fetch(jets).GetFieldData().GetArray("SelectedNumberOfRings")
-        self.assertEqual(rings.GetValue(0), 2)
+        self.assertGreaterEqual(rings.GetValue(0), 2)
 
     def test_properties_have_an_effect(self):
         whole = simple.RidgesAndUmbilics(Input=example(32))

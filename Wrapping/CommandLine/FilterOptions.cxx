@@ -95,8 +95,8 @@ void AddJetFitting(CLI::App& app, vtkJetFitting* filter)
     { { "point-count", vtkJetFitting::BY_POINT_COUNT }, { "rings", vtkJetFitting::BY_RINGS },
       { "radius", vtkJetFitting::BY_RADIUS }, { "automatic", vtkJetFitting::AUTOMATIC } },
     filter->GetNeighborhood(), [filter](int value) { filter->SetNeighborhood(value); },
-    "how large the neighbourhood of a point is; automatic selects 2 to 8 rings by the noise of the "
-    "mesh");
+    "how large the neighbourhood of a point is; automatic selects the degree and 2 to 24 rings by "
+    "the noise of the mesh");
   group.Number<int>(
     "--minimum-number-of-points", "N", filter->GetMinimumNumberOfPoints(),
     { filter->GetMinimumNumberOfPointsMinValue(), filter->GetMinimumNumberOfPointsMaxValue() },

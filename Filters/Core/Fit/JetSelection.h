@@ -1,0 +1,89 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkRidges contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef ridges_JetSelection_h
+#define ridges_JetSelection_h
+
+#include "Fit/JetTrial.h"
+
+#include <vector>
+
+namespace ridges
+{
+
+/// A degree and a number of rings to fit with, and how often to average the result over one-rings.
+struct JetChoice
+{
+  int degree = 4;
+  int numberOfRings = 2;
+  int numberOfAverages = 0;
+  double noise = 0.0; ///< Standard deviation of the heights.
+
+  /// What part of the standard error of third derivatives the averages leave.
+  double NoiseLeft() const;
+};
+
+/**
+ * Chooses the degree and the number of rings with which the second or third derivatives of a
+ * surface have the least error, by trials on a sample of its points, made with more and more rings.
+ *
+ * The error has two parts. Noise gives the derivatives a variance that falls with the rings and
+ * grows with the degree; it is known from that of the heights, which is the least that a band of
+ * coefficients has (JetTrial): in the others there may be some of the surface. Noise that is
+ * correlated from point to point, as in scans that were smoothed, has less variance on fewer rings:
+ * so it is measured for each number of rings. What a degree leaves out of the surface grows with
+ * the rings: it is what the band above it adds, less what noise adds there.
+ *
+ * Errors that change from point to point make short ridges and flickering types. So two averages
+ * over one-rings may follow the fit, and the variance counts more than the rest of the error: the
+ * sum of both has a flat minimum, near which this costs little.
+ */
+class JetSelection
+{
+public:
+  static constexpr int MostRings = 24;
+
+  /// `order`: of the derivatives, 2 or 3.
+  explicit JetSelection(int order);
+
+  /// The number of rings to try next, and up to which band; 0 after the last.
+  int NextRings() const;
+  int NextBands() const;
+
+  /// One trial for each point of the sample, the same points each time.
+  void Add(const std::vector<JetTrial>& trials);
+
+  const JetChoice& Choice() const { return this->Choice_; }
+
+private:
+  /// Of one number of rings, on average: by degree, as numbered in JetTrial. Variances are for
+  /// heights of unit variance. Negative where there is none.
+  struct Terms
+  {
+    double radius;
+    std::array<double, JetTrial::NumberOfBands> variance;
+    std::array<double, JetTrial::NumberOfBands> varianceOfNext; ///< Of what the next band adds.
+    std::array<double, JetTrial::NumberOfBands> squareOfNext;
+  };
+  /// Points around which the surface bends about as much.
+  using Group = std::vector<Terms>;
+
+  void Sort(const std::vector<JetTrial>& trials);
+  Terms TermsOf(const std::vector<JetTrial>& trials, std::size_t group) const;
+  double NoiseAt(std::size_t step) const;
+  double SquaredBias(const Group& group, std::size_t step, int degree) const;
+  double MeanError(std::size_t step, int degree, int averages) const;
+  void Choose();
+
+  int Order_;
+  std::size_t Step_ = 0;
+  std::vector<std::vector<std::size_t>> Sample_; ///< Of each group.
+  std::vector<Group> Groups_;
+  std::vector<double> Noise_; ///< Variance of each number of rings.
+  double Least_ = 0.0;
+  bool IsPastLeast_ = false;
+  JetChoice Choice_;
+};
+
+} // namespace ridges
+
+#endif

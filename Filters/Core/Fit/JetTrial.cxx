@@ -1,0 +1,239 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkRidges contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Fit/JetTrial.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+
+namespace ridges
+{
+namespace
+{
+
+constexpr int HighestDegree = JetTrial::DegreeOf(JetTrial::NumberOfBands - 1);
+
+constexpr int SizeOf(int degree)
+{
+  return (degree + 1) * (degree + 2) / 2;
+}
+
+/// Legendre polynomials, times the root of 2 n + 1: on a square their products are orthonormal, and
+/// not far from it on other sets of points.
+using Polynomials = std::array<double, HighestDegree + 1>;
+
+void Legendre(double x, int degree, Polynomials& values)
+{
+  values[0] = 1.0;
+  values[1] = x;
+  for (int n = 1; n < degree; ++n)
+  {
+    values[n + 1] = ((2 * n + 1) * x * values[n] - n * values[n - 1]) / (n + 1);
+  }
+  for (int n = 1; n <= degree; ++n)
+  {
+    values[n] *= std::sqrt(2.0 * n + 1.0);
+  }
+}
+
+/// Their derivatives of order 0 to 3 at 0.
+std::array<Polynomials, 4> DerivativesAtZero()
+{
+  std::array<Polynomials, 4> at{};
+  at[0][0] = 1.0;
+  at[1][1] = 1.0;
+  for (int n = 1; n < HighestDegree; ++n)
+  {
+    for (int k = 0; k < 4; ++k)
+    {
+      // Of x times a polynomial at 0, the derivative of order k is k times that of order k - 1.
+      const double ofProduct = k > 0 ? k * at[k - 1][n] : 0.0;
+      at[k][n + 1] = ((2 * n + 1) * ofProduct - n * at[k][n - 1]) / (n + 1);
+    }
+  }
+  for (auto& derivative : at)
+  {
+    for (int n = 1; n <= HighestDegree; ++n)
+    {
+      derivative[n] *= std::sqrt(2.0 * n + 1.0);
+    }
+  }
+  return at;
+}
+
+/// Of the derivatives uu, uv, vv, uuu, uuv, uvv, vvv.
+constexpr int NumberOfDerivatives = 7;
+constexpr int Orders[NumberOfDerivatives][2] = { { 2, 0 }, { 1, 1 }, { 0, 2 }, { 3, 0 }, { 2, 1 },
+  { 1, 2 }, { 0, 3 } };
+
+/// Columns: the derivatives of each polynomial at the vertex.
+Eigen::MatrixXd Functionals()
+{
+  const std::array<Polynomials, 4> at = DerivativesAtZero();
+  Eigen::MatrixXd functionals(SizeOf(HighestDegree), NumberOfDerivatives);
+  for (int d = 0, row = 0; d <= HighestDegree; ++d)
+  {
+    for (int j = 0; j <= d; ++j, ++row)
+    {
+      for (int f = 0; f < NumberOfDerivatives; ++f)
+      {
+        functionals(row, f) = at[Orders[f][0]][d - j] * at[Orders[f][1]][j];
+      }
+    }
+  }
+  return functionals;
+}
+
+} // namespace
+
+JetProbe::JetProbe(const TriangleMesh& mesh, const OrderedRings& rings)
+  : Mesh_(mesh)
+  , Neighborhood_(mesh, rings)
+{
+}
+
+JetTrial JetProbe::Try(Id vertex, int numberOfRings, int bands)
+{
+  JetTrial trial;
+  if (!this->SetHeights(vertex, numberOfRings))
+  {
+    return trial;
+  }
+  trial.radius = this->Radius_;
+  while (bands > 0 && this->Local_.cols() < FewestPoints(JetTrial::DegreeOf(bands - 1)))
+  {
+    --bands;
+  }
+  if (bands > 0)
+  {
+    this->SetBasis(JetTrial::DegreeOf(bands - 1));
+    this->AddBands(bands, trial);
+  }
+  return trial;
+}
+
+/// Over a plane along which the area around the vertex lies.
+bool JetProbe::SetHeights(Id vertex, int numberOfRings)
+{
+  NeighborhoodRule rule;
+  rule.kind = NeighborhoodRule::Kind::Rings;
+  rule.numberOfRings = numberOfRings;
+  const Span<Id> points = this->Neighborhood_.Gather(vertex, rule);
+  const Eigen::Vector3d origin = this->Mesh_.Point(vertex);
+  constexpr Id fewest = 7;
+  Eigen::Vector3d axis = Eigen::Vector3d::Zero();
+  for (Id i = 0; i < std::min(points.size(), fewest); ++i)
+  {
+    axis += this->Mesh_.PointNormal(points[i]);
+  }
+  if (points.size() < fewest || !(axis.norm() > 0.0))
+  {
+    return false;
+  }
+  axis.normalize();
+  Eigen::Matrix3d frame;
+  frame.col(2) = axis;
+  frame.col(0) = axis.unitOrthogonal();
+  frame.col(1) = axis.cross(frame.col(0));
+  this->Local_.resize(3, points.size());
+  for (Id i = 0; i < points.size(); ++i)
+  {
+    this->Local_.col(i) = frame.transpose() * (this->Mesh_.Point(points[i]) - origin);
+  }
+  this->Radius_ = std::sqrt(this->Local_.topRows<2>().colwise().squaredNorm().maxCoeff());
+  this->Local_ /= this->Radius_;
+  this->TurnToPrincipalAxes();
+  return this->Radius_ > 0.0 && this->Local_.allFinite();
+}
+
+/// So that the basis is as good on points that lie more densely in one direction as in the other.
+void JetProbe::TurnToPrincipalAxes()
+{
+  const auto plane = this->Local_.topRows<2>();
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(
+    Eigen::Matrix2d(plane * plane.transpose()));
+  const Eigen::Matrix2Xd turned = axes.eigenvectors().transpose() * plane;
+  this->Extents_ = turned.cwiseAbs().rowwise().maxCoeff();
+  this->Local_.topRows<2>() = this->Extents_.cwiseInverse().asDiagonal() * turned;
+}
+
+void JetProbe::SetBasis(int degree)
+{
+  this->Basis_.resize(SizeOf(degree), this->Local_.cols());
+  Polynomials u;
+  Polynomials v;
+  for (Eigen::Index i = 0; i < this->Local_.cols(); ++i)
+  {
+    Legendre(this->Local_(0, i), degree, u);
+    Legendre(this->Local_(1, i), degree, v);
+    double* column = this->Basis_.col(i).data();
+    for (int d = 0, row = 0; d <= degree; ++d)
+    {
+      for (int j = 0; j <= d; ++j, ++row)
+      {
+        column[row] = u[d - j] * v[j];
+      }
+    }
+  }
+}
+
+void JetProbe::AddBands(int bands, JetTrial& trial) const
+{
+  static const Eigen::MatrixXd functionals = Functionals();
+  const Eigen::Index size = this->Basis_.rows();
+  Eigen::MatrixXd gram = Eigen::MatrixXd::Zero(size, size);
+  gram.selfadjointView<Eigen::Lower>().rankUpdate(this->Basis_);
+  // Polynomials of some degree on lattices of few points may be 0 on all of them: such a pivot, and
+  // all after it, means nothing.
+  const Eigen::LLT<Eigen::MatrixXd> factor(gram.selfadjointView<Eigen::Lower>());
+  if (factor.info() != Eigen::Success)
+  {
+    return;
+  }
+  constexpr double leastPivot = 0.005;
+  const Eigen::VectorXd pivots =
+    factor.matrixLLT().diagonal() / std::sqrt(static_cast<double>(this->Local_.cols()));
+  Eigen::MatrixXd columns(size, NumberOfDerivatives + 1);
+  columns.leftCols(NumberOfDerivatives) = functionals.topRows(size);
+  columns.col(NumberOfDerivatives) = this->Basis_ * this->Local_.row(2).transpose();
+  factor.matrixL().solveInPlace(columns);
+  const auto heights = columns.col(NumberOfDerivatives);
+  constexpr int times[] = { 1, 2, 1, 1, 3, 3, 1 };
+  std::array<double, NumberOfDerivatives> units{};
+  for (int f = 0; f < NumberOfDerivatives; ++f)
+  {
+    units[f] = 1.0 / this->Radius_;
+    for (int i = 0; i < Orders[f][0] + Orders[f][1]; ++i)
+    {
+      units[f] /= this->Extents_[i < Orders[f][0] ? 0 : 1] * (i > 1 ? this->Radius_ : 1.0);
+    }
+  }
+  const double perRadius = 1.0 / this->Radius_;
+  int first = 0;
+  for (int b = 0; b < bands; ++b)
+  {
+    const int count = SizeOf(JetTrial::DegreeOf(b)) - first;
+    if (pivots.segment(first, count).minCoeff() < leastPivot)
+    {
+      return;
+    }
+    JetTrial::Band& band = trial.band[b];
+    for (int f = 0; f < NumberOfDerivatives; ++f)
+    {
+      JetTrial::Derivative& derivative = f < 3 ? band.second : band.third;
+      const double unit = units[f];
+      const auto column = columns.col(f).segment(first, count);
+      derivative.values[f < 3 ? f : f - 3] = unit * column.dot(heights.segment(first, count));
+      derivative.variance += times[f] * unit * unit * perRadius * perRadius * column.squaredNorm();
+    }
+    band.meanSquare =
+      this->Radius_ * this->Radius_ * heights.segment(first, count).squaredNorm() / count;
+    first += count;
+    trial.bands = b + 1;
+  }
+}
+
+} // namespace ridges

@@ -1,0 +1,129 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkRidges contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkRidgesJetSelection.h"
+
+#include "Core/Mesh/PositionSample.h"
+#include "vtkRidgesArrayNames.h"
+#include "vtkRidgesBatches.h"
+#include "vtkRidgesFieldData.h"
+#include "vtkRidgesPerThread.h"
+
+#include "vtkDoubleArray.h"
+#include "vtkIntArray.h"
+#include "vtkMongeSmoothing.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+#include "vtkPolyData.h"
+
+#include <memory>
+#include <vector>
+
+namespace names = vtkRidgesArrayNames;
+
+namespace
+{
+
+struct TryPoints
+{
+  const ridges::TriangleMesh& mesh;
+  const ridges::OrderedRings& rings;
+  const std::vector<ridges::Id>& sample;
+  int numberOfRings;
+  int bands;
+  std::vector<ridges::JetTrial>& trials;
+  vtkRidgesPerThread<ridges::JetProbe> perThread;
+
+  void operator()(vtkIdType begin, vtkIdType end)
+  {
+    ridges::JetProbe& probe = this->perThread.Get(
+      [this] { return std::make_shared<ridges::JetProbe>(this->mesh, this->rings); });
+    for (vtkIdType i = begin; i < end; ++i)
+    {
+      this->trials[i] = probe.Try(this->sample[i], this->numberOfRings, this->bands);
+    }
+  }
+};
+
+template <typename Array, typename Value>
+void AddOne(vtkFieldData* field, const char* name, Value value)
+{
+  vtkNew<Array> array;
+  array->SetName(name);
+  array->InsertNextValue(value);
+  field->AddArray(array);
+}
+
+} // namespace
+
+bool vtkRidgesSelectJets(vtkAlgorithm* filter, const ridges::TriangleMesh& mesh,
+  const ridges::OrderedRings& rings, int order, double from, double to, ridges::JetChoice& choice)
+{
+  constexpr double wantedPoints = 300.0;
+  const std::vector<ridges::Id> sample = ridges::PositionSample(mesh, wantedPoints);
+  std::vector<ridges::JetTrial> trials(sample.size());
+  ridges::JetSelection selection(order);
+  while (!sample.empty() && selection.NextRings() > 0)
+  {
+    // How many numbers of rings will be tried is not known.
+    const double middle = 0.5 * (from + to);
+    TryPoints tryPoints{ mesh, rings, sample, selection.NextRings(), selection.NextBands(), trials,
+      {} };
+    if (!vtkRidgesForBatches(
+          filter, static_cast<vtkIdType>(sample.size()), from, middle, tryPoints))
+    {
+      return false;
+    }
+    from = middle;
+    selection.Add(trials);
+  }
+  choice = selection.Choice();
+  return true;
+}
+
+void vtkRidgesAverageJets(vtkPolyData* fitted, const ridges::JetChoice& choice)
+{
+  vtkNew<vtkPolyData> before;
+  before->ShallowCopy(fitted);
+  vtkNew<vtkMongeSmoothing> smoothing;
+  smoothing->SetMethodToAllOrders();
+  smoothing->SetNumberOfSteps(choice.numberOfAverages);
+  smoothing->SetInputData(before);
+  smoothing->Update();
+  fitted->ShallowCopy(smoothing->GetOutput());
+
+  // The smoothing does not know that its input is a fit, of which these are true still, or nearly.
+  vtkPointData* arrays = fitted->GetPointData();
+  vtkPointData* fit = before->GetPointData();
+  for (const char* name : { names::FitScale, names::MaximumCurvatureError,
+         names::MinimumCurvatureError, names::ThirdOrderError, names::P1Error, names::P2Error })
+  {
+    arrays->AddArray(fit->GetAbstractArray(name));
+  }
+  const double factor = choice.NoiseLeft();
+  vtkDataArray* gain = fit->GetArray(names::FitNoiseGain);
+  vtkNew<vtkDoubleArray> left;
+  left->SetName(names::FitNoiseGain);
+  left->SetNumberOfTuples(gain->GetNumberOfTuples());
+  for (vtkIdType p = 0; p < left->GetNumberOfTuples(); ++p)
+  {
+    left->SetValue(p, factor * gain->GetComponent(p, 0));
+  }
+  arrays->AddArray(left);
+}
+
+void vtkRidgesStoreJetChoice(vtkPolyData* mesh, const ridges::JetChoice* choice)
+{
+  vtkFieldData* field = vtkRidgesOwnFieldData(mesh);
+  for (const char* name : { names::SelectedDegree, names::SelectedNumberOfRings,
+         names::SelectedNumberOfAverages, names::EstimatedNoise })
+  {
+    field->RemoveArray(name);
+  }
+  if (choice)
+  {
+    AddOne<vtkIntArray>(field, names::SelectedDegree, choice->degree);
+    AddOne<vtkIntArray>(field, names::SelectedNumberOfRings, choice->numberOfRings);
+    AddOne<vtkIntArray>(field, names::SelectedNumberOfAverages, choice->numberOfAverages);
+    AddOne<vtkDoubleArray>(field, names::EstimatedNoise, choice->noise);
+  }
+}

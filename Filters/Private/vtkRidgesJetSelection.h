@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkRidges contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef vtkRidgesJetSelection_h
+#define vtkRidgesJetSelection_h
+
+#include "Core/Fit/JetSelection.h"
+
+class vtkAlgorithm;
+class vtkPolyData;
+
+/// The degree and the rings with which derivatives of order 2 or 3 have the least error, by trials
+/// on a sample of the points. False if the user aborted.
+bool vtkRidgesSelectJets(vtkAlgorithm* filter, const ridges::TriangleMesh& mesh,
+  const ridges::OrderedRings& rings, int order, double from, double to, ridges::JetChoice& choice);
+
+/// Replaces the fitted arrays of a mesh by their averages.
+void vtkRidgesAverageJets(vtkPolyData* fitted, const ridges::JetChoice& choice);
+
+/// Into field data; what an earlier fit left is removed. Null: there was no choice.
+void vtkRidgesStoreJetChoice(vtkPolyData* mesh, const ridges::JetChoice* choice);
+
+#endif
