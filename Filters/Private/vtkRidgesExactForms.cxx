@@ -207,9 +207,8 @@ int vtkRidgesExactForms::Run(vtkAlgorithm* filter, const vtkRidgesMesh& mesh, vt
   vtkPolyData* triangulated = mesh.GetPolyData();
   const vtkIdType count = triangulated->GetNumberOfPoints();
   const vtkSmartPointer<vtkPoints> points = CopyPoints(triangulated);
-  PointStates states{ this->Surface };
-  states.positions = static_cast<double*>(points->GetVoidPointer(0));
-  states.parameters = this->parameters;
+  PointStates states{ this->Surface, static_cast<double*>(points->GetVoidPointer(0)),
+    this->parameters, {}, {} };
   states.normals.assign(static_cast<std::size_t>(count), Eigen::Vector3d::Zero());
   states.faults.assign(static_cast<std::size_t>(count), ExactFault::None);
   if (!LocatePoints(filter, states))

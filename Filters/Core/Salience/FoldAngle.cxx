@@ -58,8 +58,8 @@ double FoldMeter::Walk(Color color, Id triangle, Id edge, const Eigen::Vector3d&
   // A feature is some hundred edges wide at most. Where a few points are very far away, so that the
   // reach is a million edges of the rest, walks would go around in circles.
   constexpr std::size_t mostSamples = 10'000;
-  while (arc < this->Rule_.reach && samples.size() < mostSamples && !isDecided() &&
-    this->Walk_.Step())
+  while (
+    arc < this->Rule_.reach && samples.size() < mostSamples && !isDecided() && this->Walk_.Step())
   {
     const double step = this->Walk_.StepLength();
     double f = sign * this->Walk_.Curvature();

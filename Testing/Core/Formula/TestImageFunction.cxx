@@ -101,7 +101,7 @@ TEST(ImageFunction, SmoothsPolynomialsExactlyEverywhere)
   for (const double sigma : { 0.05, 0.15 })
   {
     const ImageFunction function(image.grid, sigma, 0.25);
-    for (const Eigen::Vector3d index : { Eigen::Vector3d(11.3, 9.8, 7.1),
+    for (const Eigen::Vector3d& index : { Eigen::Vector3d(11.3, 9.8, 7.1),
            Eigen::Vector3d(0.0, 9.5, 15.0), Eigen::Vector3d(-0.3, -0.2, 15.4) })
     {
       const Eigen::Vector3d x = image.PointAt(index);

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkRidges contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// How the Monge forms of a batch follow the coefficients: the formulas of JetErrors.cxx. Included by
-// JetBatchErrors.h only.
+// How the Monge forms of a batch follow the coefficients: the formulas of JetErrors.cxx. Included
+// by JetBatchErrors.h only.
 #ifndef ridges_JetBatchGradients_h
 #define ridges_JetBatchGradients_h
 

@@ -10,9 +10,9 @@ namespace
 {
 
 /**
- * The factors L and D of a matrix of moments. The monomials come in falling order, so that the rows of those up
- * to order 4 are the last: the factors of the last rows alone give the covariance of their
- * coefficients. Rows that fill up the first tile are those of the identity.
+ * The factors L and D of a matrix of moments. The monomials come in falling order, so that the rows
+ * of those up to order 4 are the last: the factors of the last rows alone give the covariance of
+ * their coefficients. Rows that fill up the first tile are those of the identity.
  */
 template <int Degree>
 struct TiledFactors

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkRidges contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// Condition number and noise gain of a batch, degrees 5 to 8. Included by JetBatchTiledKernel.h only.
+// Condition number and noise gain of a batch, degrees 5 to 8. Included by JetBatchTiledKernel.h
+// only.
 #ifndef ridges_JetBatchTiledQuality_h
 #define ridges_JetBatchTiledQuality_h
 
