@@ -172,8 +172,7 @@ public:
   /**
    * Whether to output the standard errors caused by noise that is independent from point to point,
    * estimated from the residuals of each fit; -1 if unknown: no fit, too few points, low degree.
-   * Default off: the fit takes a quarter longer, or twice as long with weights, and needs more
-   * room.
+   * Default off: the fit takes a quarter longer, or twice as long with weights.
    */
   vtkSetMacro(StandardErrors, bool);
   vtkGetMacro(StandardErrors, bool);
