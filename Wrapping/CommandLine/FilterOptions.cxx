@@ -287,8 +287,8 @@ void AddSalient(CLI::App& app, vtkSalientRidges* filter)
     "--noise-factor", "DEVIATIONS", filter->GetNoiseFactor(),
     { filter->GetNoiseFactorMinValue(), filter->GetNoiseFactorMaxValue() },
     [filter](double value) { filter->SetNoiseFactor(value); },
-    "number of standard deviations of noise that curvatures have to exceed; 0 does not estimate "
-    "noise");
+    "number of standard deviations of noise by which the angles that lines need are raised; 0 "
+    "does not estimate noise");
   group.Flag(
     "--not-crest-only", [filter](bool on) { filter->SetCrestOnly(!on); },
     "keep also ridges of the smaller of both curvatures");
