@@ -32,7 +32,8 @@ ridges.Update()
 if mesh.GetOutput().GetNumberOfPoints() == 0:
     sys.exit("there is no surface")
 
-for name, port in {"ridges.vtp": ridges.GetOutputPort(), "umbilics.vtp": umbilics.GetOutputPort(1)}.items():
+outputs = {"ridges.vtp": ridges.GetOutputPort(), "umbilics.vtp": umbilics.GetOutputPort(1)}
+for name, port in outputs.items():
     writer = vtkXMLPolyDataWriter()
     writer.SetFileName(name)
     writer.SetInputConnection(port)
