@@ -85,6 +85,40 @@ inline double LargestDifference(const MongeForm& form, const MongeForm& referenc
   return largest;
 }
 
+// The largest differences, relative to the largest coefficient of their order.
+struct RelativeErrors
+{
+  double k = 0.0;
+  double b = 0.0;
+  double P = 0.0;
+
+  void Add(const MongeForm& form, const MongeForm& expected)
+  {
+    const double sign = form.d1.dot(expected.d1) < 0.0 ? -1.0 : 1.0;
+    const double scaleK = std::max(std::abs(expected.k1), std::abs(expected.k2));
+    double scaleB = 0.0;
+    double scaleC = 0.0;
+    for (const double value : expected.b)
+    {
+      scaleB = std::max(scaleB, std::abs(value));
+    }
+    for (const double value : expected.c)
+    {
+      scaleC = std::max(scaleC, std::abs(value));
+    }
+    const double scaleP =
+      3.0 * scaleB * scaleB + 2.0 * scaleK * (scaleC + 3.0 * std::pow(scaleK, 3));
+    this->k = std::max({ this->k, std::abs(form.k1 - expected.k1) / scaleK,
+      std::abs(form.k2 - expected.k2) / scaleK });
+    this->P = std::max({ this->P, std::abs(form.P1() - expected.P1()) / scaleP,
+      std::abs(form.P2() - expected.P2()) / scaleP });
+    for (int i = 0; i < 4; ++i)
+    {
+      this->b = std::max(this->b, std::abs(sign * form.b[i] - expected.b[i]) / scaleB);
+    }
+  }
+};
+
 } // namespace testing
 } // namespace ridges
 
