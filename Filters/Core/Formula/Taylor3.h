@@ -72,7 +72,7 @@ public:
   Taylor3& operator+=(const Taylor3& other)
   {
     this->Top_ = std::max(this->Top_, other.Top_);
-    for (int i = 0; i < Offset(other.Top_ + 1); ++i)
+    for (int i = 0; i < UsedBy(other.Top_); ++i)
     {
       this->Coefficients_[i] += other.Coefficients_[i];
     }
@@ -81,7 +81,7 @@ public:
   Taylor3& operator-=(const Taylor3& other)
   {
     this->Top_ = std::max(this->Top_, other.Top_);
-    for (int i = 0; i < Offset(other.Top_ + 1); ++i)
+    for (int i = 0; i < UsedBy(other.Top_); ++i)
     {
       this->Coefficients_[i] -= other.Coefficients_[i];
     }
@@ -89,7 +89,7 @@ public:
   }
   Taylor3& operator*=(const Number& factor)
   {
-    for (int i = 0; i < Offset(this->Top_ + 1); ++i)
+    for (int i = 0; i < UsedBy(this->Top_); ++i)
     {
       this->Coefficients_[i] *= factor;
     }
@@ -97,7 +97,7 @@ public:
   }
   Taylor3& operator/=(const Number& divisor)
   {
-    for (int i = 0; i < Offset(this->Top_ + 1); ++i)
+    for (int i = 0; i < UsedBy(this->Top_); ++i)
     {
       this->Coefficients_[i] /= divisor;
     }
@@ -113,6 +113,16 @@ public:
   friend Taylor3 operator*(const Taylor3& a, const Taylor3& b)
   {
     Taylor3 result;
+    if constexpr (IsSmall)
+    {
+      result = b * a.Constant();
+      for (int i = 1; i < Size; ++i)
+      {
+        result.Coefficients_[i] += a.Coefficients_[i] * b.Constant();
+      }
+      result.Top_ = Degree;
+      return result;
+    }
     result.SetTop(a.Top_ + b.Top_);
     for (int i = 0; i <= a.Top_; ++i)
     {
@@ -168,6 +178,11 @@ public:
   }
 
 private:
+  /// Gradients are looked for by the million: their loops are to be unrolled.
+  static constexpr bool IsSmall = Degree <= 1;
+
+  static constexpr int UsedBy(int top) { return IsSmall ? Size : Offset(top + 1); }
+
   int Top_ = 0;
   std::array<Number, Size> Coefficients_{};
 };
