@@ -35,7 +35,7 @@ private:
 
 std::string vtkRidgesFormulaSurface::SetImplicit(const std::string& formula)
 {
-  const std::string error = this->Parse("Formula", formula, { "x", "y", "z" }, false);
+  std::string error = this->Parse("Formula", formula, { "x", "y", "z" }, false);
   if (error.empty())
   {
     this->Function = std::make_unique<ridges::FormulaFunction>(
@@ -47,7 +47,7 @@ std::string vtkRidgesFormulaSurface::SetImplicit(const std::string& formula)
 
 std::string vtkRidgesFormulaSurface::SetGraph(const std::string& formula)
 {
-  const std::string error = this->Parse("Formula", formula, { "x", "y" }, true);
+  std::string error = this->Parse("Formula", formula, { "x", "y" }, true);
   if (error.empty())
   {
     this->Function = std::make_unique<ridges::FormulaFunction>(
@@ -62,7 +62,7 @@ std::string vtkRidgesFormulaSurface::SetParametric(const std::array<std::string,
   const char* const properties[] = { "XFormula", "YFormula", "ZFormula" };
   for (int i = 0; i < 3; ++i)
   {
-    const std::string error = this->Parse(properties[i], formulas[i], { "u", "v" }, true);
+    std::string error = this->Parse(properties[i], formulas[i], { "u", "v" }, true);
     if (!error.empty())
     {
       return error;

@@ -72,7 +72,7 @@ double CentroidX(vtkPolyData* data, vtkIdType cell)
 /// The whole mesh, with all cells on one side flagged as duplicates.
 vtkSmartPointer<vtkPolyData> Half(vtkPolyData* mesh, double sign)
 {
-  const auto half = Copy(mesh);
+  auto half = Copy(mesh);
   AddGhosts(half->GetCellData(), half->GetNumberOfCells(), vtkDataSetAttributes::DUPLICATECELL,
     [&half, sign](vtkIdType cell) { return sign * CentroidX(half, cell) < 0.0; });
   return half;

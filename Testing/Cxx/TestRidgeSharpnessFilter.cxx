@@ -154,6 +154,7 @@ TEST(RidgeSharpnessFilter, ThresholdsApplyToWholeRidges)
 {
   const std::map<int, double> all = SumsOfRidges(BlendRidges(), names::Length);
   std::vector<double> lengths;
+  lengths.reserve(all.size());
   for (const auto& [id, length] : all)
   {
     lengths.push_back(length);

@@ -205,7 +205,7 @@ TEST(SalientRidges, CreasesMeetAtTheCornersOfACube)
       const Vector3d to = PointAt(lines, ids->GetId(j + 1));
       for (int k = 0; k <= 8; ++k)
       {
-        points.push_back(from + k / 8.0 * (to - from));
+        points.emplace_back(from + k / 8.0 * (to - from));
       }
     }
   }

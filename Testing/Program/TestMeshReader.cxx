@@ -77,7 +77,7 @@ TEST(MeshReader, NamesTheReasonWhyAFileCannotBeRead)
   for (const char* extension : { "off", "obj", "ply", "stl", "vtk", "vtp" })
   {
     const std::string path = ScratchPath(std::string("empty.") + extension);
-    std::ofstream{ path };
+    std::ofstream(path).close();
     EXPECT_EQ(FailureOfReading(path), path + " is empty : give a mesh");
     std::filesystem::remove(path);
   }

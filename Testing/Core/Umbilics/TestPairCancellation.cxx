@@ -200,6 +200,7 @@ void CheckRenumbered(const Mesh& input)
   {
     const Renumbered other(input, seed);
     std::vector<IndexCharge> otherCharges;
+    otherCharges.reserve(charges.size());
     for (const IndexCharge& charge : charges)
     {
       otherCharges.push_back({ other.newTriangle[charge.triangle], charge.halfTurns });
