@@ -72,9 +72,8 @@ void AddFormula(CLI::App& app, Options& options, vtkImplicitSurfaceMesh* surface
   group
     .Text("--formula", "TEXT", options.formula,
       "surface f(x, y, z) = 0, negative inside, such as 'x^2/4 + y^2 + z^2/0.4 - 1': the ridges "
-      "are "
-      "computed from exact derivatives, on a mesh of the surface or, with MESH, on that mesh moved "
-      "to it")
+      "are computed from exact derivatives, on a mesh of the surface or, with MESH, on that mesh "
+      "moved to it")
     ->excludes("--surface")
     ->excludes("--frequency")
     ->excludes("--semi-axes");

@@ -16,18 +16,19 @@ namespace ridges
 class TriangleMesh;
 
 /**
- * An order of points at one place, where rounding has put them, that the numbering has no part in:
- * by what lies around them.
+ * An order of points that share one place, as rounding may leave them, which does not depend on
+ * their numbers: they are ordered by what lies around them.
  *
- * Each point has a color, first its position. Then it is that and the colors of its triangles, as
- * long as this tells more points at one place apart (color refinement). Colors are hashed to 64
- * bits. Points that are equal in the end are alike: to exchange them leaves the mesh as it was.
+ * This is color refinement. The first color of a point is its position. Each round mixes in the
+ * colors of its triangles, as long as this tells more points at one place apart. Colors are hashed
+ * to 64 bits. Points whose colors are equal at the end are alike: exchanging them leaves the mesh
+ * as it was.
  */
 class PointRanks
 {
 public:
-  /// The same number for points that nothing distinguishes, and 0 for all that are alone in their
-  /// place. All ranks are computed when one is asked for first, by whatever thread.
+  /// The same number for points that nothing distinguishes, and 0 for points that are alone in
+  /// their place. The first call, from whatever thread, computes the ranks of all points.
   std::uint64_t RankOf(const TriangleMesh& mesh, Id point);
 
 private:

@@ -39,8 +39,8 @@ public:
   };
 
   /// `points` holds x, y, z of each point and must outlive the mesh. No triangle may repeat a
-  /// corner or name a point that is not there. The loop is run over so many shares of the
-  /// triangles, which each take memory of 4 bytes per point meanwhile; no result depends on them.
+  /// corner or name a point that is not there. The work is split into `shares`, each of which takes
+  /// 4 bytes per point meanwhile; the result does not depend on their number.
   TriangleMesh(const double* points, Id numberOfPoints, Buffer<Triangle> triangles,
     Edges edges = Edges::Built, const RangeLoop& loop = InOneRange, Id shares = 1);
   TriangleMesh(const double* points, Id numberOfPoints, const std::vector<Triangle>& triangles,
@@ -114,9 +114,9 @@ public:
   /// 0 without edges.
   double MeanEdgeLength() const;
 
-  /// So many times a point counts as one of the surface: the fans of triangles that meet there,
-  /// each of triangles joined by edges that have exactly two. 1, but for points of no triangle, and
-  /// for pinch points, where fans touch in nothing but the point.
+  /// The fans of triangles that meet at a point, each joined by edges that have exactly two: as
+  /// many points of the surface it counts as. 0 for a point without triangles, more than 1 for a
+  /// pinch point, where fans touch in the point alone; else 1.
   Id NumberOfFans(Id p) const;
 
   /**
