@@ -147,9 +147,7 @@ private:
   bool FindColor(ridges::Color color, const vtkRidgesSearch& search,
     const vtkRidgesMongeInput& monge, const ridges::FoldRule& rule, double from,
     std::vector<ridges::RidgeTrace>& found, std::vector<ridges::RidgeFolds>& folds);
-  static double ScaleReached(const vtkRidgesMongeInput& monge);
-  ridges::SalientRule MakeRule(
-    const vtkRidgesMongeInput& monge, double floor, double diameter) const;
+  ridges::SalientRule MakeRule(double sigma, double floor, double diameter) const;
 
   vtkSalientRidges* Filter;
   double From = 0.0; ///< Progress of the stage that runs.
@@ -294,26 +292,12 @@ bool vtkSalientRidges::vtkInternals::FindColor(ridges::Color color, const vtkRid
 }
 
 /// At the median point of the mesh.
-double vtkSalientRidges::vtkInternals::ScaleReached(const vtkRidgesMongeInput& monge)
-{
-  const double* scale = monge.arrays.GetErrors().fitScale;
-  std::vector<double> scales(
-    scale, scale + (scale ? monge.mesh.GetTriangles().NumberOfPoints() : 0));
-  if (scales.empty())
-  {
-    return 0.0;
-  }
-  const auto middle = scales.begin() + static_cast<std::ptrdiff_t>(scales.size() / 2);
-  std::nth_element(scales.begin(), middle, scales.end());
-  return ridges::SmoothingPlan::SigmaPerRadius * *middle;
-}
-
 ridges::SalientRule vtkSalientRidges::vtkInternals::MakeRule(
-  const vtkRidgesMongeInput& monge, double floor, double diameter) const
+  double sigma, double floor, double diameter) const
 {
   const vtkSalientRidges& filter = *this->Filter;
   const double angle = vtkMath::RadiansFromDegrees(filter.FoldAngle);
-  const double noise = filter.NoiseFactor * floor * ScaleReached(monge);
+  const double noise = filter.NoiseFactor * floor * sigma;
   ridges::SalientRule rule;
   rule.angle = std::max(angle + NoiseInAngle * noise, LeastAngleOverNoise * noise);
   rule.weakAngle =
@@ -347,7 +331,9 @@ bool vtkSalientRidges::vtkInternals::FindLines(
   ridges::FoldRule folding;
   folding.reach = Reach * scale;
   folding.slack = scale;
-  const ridges::SalientRule rule = this->MakeRule(monge, floor, diameter);
+  const double sigma =
+    ridges::SmoothingPlan::MedianSigma(monge.arrays.GetErrors().fitScale, mesh.NumberOfPoints());
+  const ridges::SalientRule rule = this->MakeRule(sigma, floor, diameter);
 
   std::array<std::vector<ridges::RidgeTrace>, 2> found;
   std::array<std::vector<ridges::RidgeFolds>, 2> folds;
@@ -361,7 +347,7 @@ bool vtkSalientRidges::vtkInternals::FindLines(
     }
     lines.Add(found[i], folds[i], ridges::SelectSalient(found[i], folds[i], rule));
   }
-  const double reach = CornerReach * ScaleReached(monge);
+  const double reach = CornerReach * sigma;
   const double angle = std::max(rule.angle, vtkMath::RadiansFromDegrees(CornerAngle));
   lines.MeetAtCorners(monge.arrays.GetField(), { reach, angle });
   lines.Store(output);

@@ -13,8 +13,6 @@
 #include "vtkDoubleArray.h"
 
 #include <algorithm>
-#include <cmath>
-#include <iterator>
 
 namespace names = vtkRidgesArrayNames;
 
@@ -28,19 +26,9 @@ ridges::FoldRule vtkRidgesFoldOutput::MakeRule() const
   rule.reach = reach * 2.0 * ridges::SmallestEnclosingSphere(mesh).radius;
   // Between points curvature is linear, and a fit smooths it: its peak and the zero of its
   // derivative lie within this distance of each other.
-  rule.slack = mesh.MeanEdgeLength();
-  if (const double* scale = this->Monge.arrays.GetErrors().fitScale)
-  {
-    std::vector<double> scales;
-    std::copy_if(scale, scale + mesh.NumberOfPoints(), std::back_inserter(scales),
-      [](double value) { return std::isfinite(value); });
-    const auto middle = scales.begin() + static_cast<std::ptrdiff_t>(scales.size() / 2);
-    std::nth_element(scales.begin(), middle, scales.end());
-    if (middle != scales.end())
-    {
-      rule.slack = std::max(rule.slack, ridges::SmoothingPlan::SigmaPerRadius * *middle);
-    }
-  }
+  rule.slack = std::max(mesh.MeanEdgeLength(),
+    ridges::SmoothingPlan::MedianSigma(
+      this->Monge.arrays.GetErrors().fitScale, mesh.NumberOfPoints()));
   return rule;
 }
 

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace ridges
 {
@@ -67,13 +68,30 @@ bool FrameFromSpace(const double* values, MongeForm& form)
 /// Frames take part in products of their vectors only.
 using Frame = std::array<Eigen::Vector3d, 2>;
 
+/// The next in the order of components, whose indices do not descend; false after the last.
+template <int Order>
+bool Advance(std::array<int, Order>& index)
+{
+  int last = Order - 1;
+  while (last >= 0 && index[last] == 2)
+  {
+    --last;
+  }
+  if (last < 0)
+  {
+    return false;
+  }
+  std::fill(index.begin() + last, index.end(), index[last] + 1);
+  return true;
+}
+
 /// The tensor whose component along i times d1 and order - i times d2, in any order, is
 /// form[order - i], as its components with indices that do not descend.
 template <int Order>
 void AddTensor(const double* form, const Frame& frame, double* values)
 {
   std::array<int, Order> index{};
-  for (int at = 0;; ++at)
+  do
   {
     double sum = 0.0;
     for (unsigned choice = 0; choice < (1U << Order); ++choice)
@@ -88,18 +106,8 @@ void AddTensor(const double* form, const Frame& frame, double* values)
       }
       sum += form[seconds] * product;
     }
-    values[at] = sum;
-    int last = Order - 1;
-    while (last >= 0 && index[last] == 2)
-    {
-      --last;
-    }
-    if (last < 0)
-    {
-      return;
-    }
-    std::fill(index.begin() + last, index.end(), index[last] + 1);
-  }
+    *values++ = sum;
+  } while (Advance<Order>(index));
 }
 
 /// The other way round.
@@ -108,7 +116,7 @@ void TakeForm(const double* values, const Frame& frame, double* form)
 {
   std::array<int, Order> index{};
   std::fill_n(form, Order + 1, 0.0);
-  for (int at = 0;; ++at)
+  do
   {
     // A component stands for all orders of its indices. Of these each is one of the products that
     // a polynomial in t, the product of d1[i] + t d2[i], has: its coefficients are those of the
@@ -128,19 +136,10 @@ void TakeForm(const double* values, const Frame& frame, double* form)
     }
     for (int k = 0; k <= Order; ++k)
     {
-      form[k] += orders * values[at] * polynomial[k];
+      form[k] += orders * *values * polynomial[k];
     }
-    int last = Order - 1;
-    while (last >= 0 && index[last] == 2)
-    {
-      --last;
-    }
-    if (last < 0)
-    {
-      break;
-    }
-    std::fill(index.begin() + last, index.end(), index[last] + 1);
-  }
+    ++values;
+  } while (Advance<Order>(index));
   double binomial = 1.0;
   for (int k = 0; k <= Order; ++k)
   {
@@ -263,6 +262,20 @@ double SmoothingPlan::Share(Id p) const
 double SmoothingPlan::Sigma(Id p) const
 {
   return std::sqrt(this->FitVariance(p) + this->Steps_ * this->Share(p) * this->Rings_.Variance(p));
+}
+
+double SmoothingPlan::MedianSigma(const double* fitScale, Id numberOfPoints)
+{
+  std::vector<double> scales;
+  std::copy_if(fitScale, fitScale + (fitScale ? numberOfPoints : 0), std::back_inserter(scales),
+    [](double value) { return std::isfinite(value); });
+  if (scales.empty())
+  {
+    return 0.0;
+  }
+  const auto middle = scales.begin() + static_cast<std::ptrdiff_t>(scales.size() / 2);
+  std::nth_element(scales.begin(), middle, scales.end());
+  return SigmaPerRadius * *middle;
 }
 
 } // namespace ridges

@@ -76,6 +76,9 @@ public:
   /// The standard deviation that comes out at p.
   double Sigma(Id p) const;
 
+  /// Of the Gaussians that the fits at all points count as; 0 where no radius is known.
+  static double MedianSigma(const double* fitScale, Id numberOfPoints);
+
 private:
   double FitVariance(Id p) const;
   /// Steps that p alone would take, with a fraction.
