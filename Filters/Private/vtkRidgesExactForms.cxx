@@ -19,6 +19,7 @@
 #include <Eigen/Geometry>
 
 #include <algorithm>
+#include <cstdint>
 #include <sstream>
 #include <utility>
 
@@ -89,9 +90,9 @@ bool LocatePoints(vtkAlgorithm* filter, PointStates& states)
 }
 
 /// Which points are on parts of the mesh that are oriented against the surface's normals.
-std::vector<char> FindReversed(const ridges::TriangleMesh& mesh, const PointStates& states)
+std::vector<std::uint8_t> FindReversed(const ridges::TriangleMesh& mesh, const PointStates& states)
 {
-  std::vector<char> reversed(states.faults.size(), 0);
+  std::vector<std::uint8_t> reversed(states.faults.size(), 0);
   for (const std::vector<Id>& part : ridges::RegionsWhere(mesh, [](Id) { return true; }))
   {
     vtkIdType agreeing = 0;
@@ -118,7 +119,8 @@ std::vector<char> FindReversed(const ridges::TriangleMesh& mesh, const PointStat
   return reversed;
 }
 
-bool StoreForms(vtkAlgorithm* filter, PointStates& states, const std::vector<char>& reversed,
+bool StoreForms(vtkAlgorithm* filter, PointStates& states,
+  const std::vector<std::uint8_t>& reversed,
   const std::function<int(const Eigen::Vector3d&)>& statusAt, vtkRidgesMongeOutput& arrays)
 {
   const auto store = [&states, &reversed, &statusAt, &arrays](vtkIdType begin, vtkIdType end)
@@ -215,7 +217,7 @@ int vtkRidgesExactForms::Run(vtkAlgorithm* filter, const vtkRidgesMesh& mesh, vt
   {
     return 1; // aborted
   }
-  const std::vector<char> reversed = FindReversed(mesh.GetTriangles(), states);
+  const std::vector<std::uint8_t> reversed = FindReversed(mesh.GetTriangles(), states);
   constexpr int order = 4;
   vtkRidgesMongeOutput arrays(count, order, false);
   if (!StoreForms(filter, states, reversed, this->statusAt, arrays))

@@ -237,8 +237,8 @@ private:
 
   EditableMesh& Mesh_;
   TrianglesOfPoints Around_; ///< Of points that are not touched.
-  std::vector<char> IsBorder_;
-  std::vector<char> IsTouched_;
+  std::vector<std::uint8_t> IsBorder_;
+  std::vector<std::uint8_t> IsTouched_;
   double Longest_;
   const PlacePoint& Place_;
 };
@@ -283,7 +283,7 @@ Id SplitLongEdges(EditableMesh& mesh, double longest, const PlacePoint& place)
   std::vector<InnerEdge> edges =
     InnerEdges(mesh, SortedSides(mesh), [longest](double length) { return length > longest; });
   std::reverse(edges.begin(), edges.end());
-  std::vector<char> isTouched(mesh.triangles.size(), 0);
+  std::vector<std::uint8_t> isTouched(mesh.triangles.size(), 0);
   Id count = 0;
   for (const InnerEdge& edge : edges)
   {
@@ -326,7 +326,7 @@ Id FlipToDelaunay(EditableMesh& mesh)
 {
   constexpr double roundOff = 1e-9;
   const std::vector<Side> sides = SortedSides(mesh);
-  std::vector<char> isTouched(mesh.triangles.size(), 0);
+  std::vector<std::uint8_t> isTouched(mesh.triangles.size(), 0);
   std::set<std::pair<Id, Id>> added;
   Id count = 0;
   for (const InnerEdge& edge : InnerEdges(mesh, sides, [](double) { return true; }))
@@ -359,9 +359,9 @@ Id FlipToDelaunay(EditableMesh& mesh)
   return count;
 }
 
-std::vector<char> FindBorderPoints(const EditableMesh& mesh)
+std::vector<std::uint8_t> FindBorderPoints(const EditableMesh& mesh)
 {
-  std::vector<char> isBorder(mesh.points.size(), 0);
+  std::vector<std::uint8_t> isBorder(mesh.points.size(), 0);
   ForEdges(SortedSides(mesh),
     [&isBorder](const Side* side, int count)
     {

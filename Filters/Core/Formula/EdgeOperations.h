@@ -7,6 +7,7 @@
 
 #include <Eigen/Core>
 
+#include <cstdint>
 #include <functional>
 #include <vector>
 
@@ -38,7 +39,7 @@ Id CollapseShortEdges(EditableMesh& mesh, double shortest, double longest, const
 Id FlipToDelaunay(EditableMesh& mesh);
 
 /// Which points are on the border.
-std::vector<char> FindBorderPoints(const EditableMesh& mesh);
+std::vector<std::uint8_t> FindBorderPoints(const EditableMesh& mesh);
 
 /// The number of edges with one triangle.
 Id CountBorderEdges(const EditableMesh& mesh);

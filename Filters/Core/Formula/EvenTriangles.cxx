@@ -5,6 +5,7 @@
 #include "Formula/TrianglesOfPoints.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <vector>
 
 namespace ridges
@@ -21,7 +22,7 @@ static_assert(MakeEvenLoops == 1 + 2 * (Rounds + LastRounds), "one at first, two
 bool MovePoints(EditableMesh& mesh, const std::vector<Eigen::Vector3d>& targets,
   const ExactSurface& surface, double distance, const StoppableLoop& loop)
 {
-  const std::vector<char> isBorder = FindBorderPoints(mesh);
+  const std::vector<std::uint8_t> isBorder = FindBorderPoints(mesh);
   const auto move = [&mesh, &targets, &surface, &isBorder, distance](Id begin, Id end)
   {
     for (Id first = begin; first < end; first += Lanes::Count)

@@ -75,10 +75,7 @@ Taylor3<D, N> sin(const Taylor3<D, N>& a)
 {
   using std::cos;
   using std::sin;
-  Taylor3<D, N> s(sin(a.Constant()));
-  Taylor3<D, N> c(cos(a.Constant()));
-  taylor::SineAndCosine(a, -1.0, s, c);
-  return s;
+  return taylor::SineAndCosine(N(sin(a.Constant())), N(cos(a.Constant())), -1.0, a).first;
 }
 
 template <int D, typename N>
@@ -86,10 +83,7 @@ Taylor3<D, N> cos(const Taylor3<D, N>& a)
 {
   using std::cos;
   using std::sin;
-  Taylor3<D, N> s(sin(a.Constant()));
-  Taylor3<D, N> c(cos(a.Constant()));
-  taylor::SineAndCosine(a, -1.0, s, c);
-  return c;
+  return taylor::SineAndCosine(N(sin(a.Constant())), N(cos(a.Constant())), -1.0, a).second;
 }
 
 template <int D, typename N>
@@ -97,10 +91,7 @@ Taylor3<D, N> sinh(const Taylor3<D, N>& a)
 {
   using std::cosh;
   using std::sinh;
-  Taylor3<D, N> s(sinh(a.Constant()));
-  Taylor3<D, N> c(cosh(a.Constant()));
-  taylor::SineAndCosine(a, 1.0, s, c);
-  return s;
+  return taylor::SineAndCosine(N(sinh(a.Constant())), N(cosh(a.Constant())), 1.0, a).first;
 }
 
 template <int D, typename N>
@@ -108,10 +99,7 @@ Taylor3<D, N> cosh(const Taylor3<D, N>& a)
 {
   using std::cosh;
   using std::sinh;
-  Taylor3<D, N> s(sinh(a.Constant()));
-  Taylor3<D, N> c(cosh(a.Constant()));
-  taylor::SineAndCosine(a, 1.0, s, c);
-  return c;
+  return taylor::SineAndCosine(N(sinh(a.Constant())), N(cosh(a.Constant())), 1.0, a).second;
 }
 
 template <int D, typename N>

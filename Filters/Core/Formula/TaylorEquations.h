@@ -12,6 +12,7 @@
 #include "Formula/Taylor3.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace ridges
 {
@@ -47,10 +48,14 @@ Taylor3<D, N> Integral(
   return f;
 }
 
-/// s and c with E s = c E a and E c = sign s E a: sine and cosine, hyperbolic for sign +1.
+/// s and c with E s = c E a, E c = sign s E a and these constant terms: sine and cosine, hyperbolic
+/// for sign +1.
 template <int D, typename N>
-void SineAndCosine(const Taylor3<D, N>& a, double sign, Taylor3<D, N>& s, Taylor3<D, N>& c)
+std::pair<Taylor3<D, N>, Taylor3<D, N>> SineAndCosine(
+  const N& s0, const N& c0, double sign, const Taylor3<D, N>& a)
 {
+  std::pair<Taylor3<D, N>, Taylor3<D, N>> result{ Taylor3<D, N>(s0), Taylor3<D, N>(c0) };
+  auto& [s, c] = result;
   const int top = a.Top() > 0 ? D : 0;
   s.SetTop(top);
   c.SetTop(top);
@@ -59,6 +64,7 @@ void SineAndCosine(const Taylor3<D, N>& a, double sign, Taylor3<D, N>& s, Taylor
     AddIntegralPart(s, 1.0, c, a, d);
     AddIntegralPart(c, sign, s, a, d);
   }
+  return result;
 }
 
 /// f with E f = (1 + sign f²) E a: tangent, hyperbolic for sign -1.
