@@ -232,17 +232,17 @@ int vtkJetFitting::RequestData(
   output->ShallowCopy(mesh.GetPolyData());
   arrays.AddTo(output->GetPointData());
   vtkRidgesUmbilicMarks::RemoveFrom(output);
-  mesh.HandOnWith(output);
   // Without P1 and P2 there are no types to flicker.
   if (isAutomatic && choice.numberOfAverages > 0 && this->MongeOrder == 4)
   {
-    vtkRidgesAverageJets(output, choice);
+    vtkRidgesAverageJets(mesh, output, choice);
   }
   else
   {
     choice.numberOfAverages = 0;
   }
   vtkRidgesStoreJetChoice(output, isAutomatic && count > 0 ? &choice : nullptr);
+  mesh.HandOnWith(output);
   return 1;
 }
 

@@ -91,7 +91,7 @@ int vtkRidgesGhostLevelsOf(vtkJetFitting* filter)
       // n rings of a regular mesh have 3 n (n + 1) + 1 points; one more for irregular ones.
       return static_cast<int>(std::ceil(std::sqrt(filter->GetMinimumNumberOfPoints() / 3.0))) + 1;
     default:
-      return ridges::JetSelection::MostRings + 2; // Two averages may follow.
+      return ridges::JetSelection::MostRings + ridges::JetSelection::MostAverages;
   }
 }
 

@@ -6,6 +6,7 @@
 #include "vtkRidgesArrayNames.h"
 #include "vtkRidgesBatches.h"
 #include "vtkRidgesFieldData.h"
+#include "vtkRidgesMesh.h"
 #include "vtkRidgesPerThread.h"
 
 #include "vtkDoubleArray.h"
@@ -80,10 +81,12 @@ bool vtkRidgesSelectJets(vtkAlgorithm* filter, const ridges::TriangleMesh& mesh,
   return true;
 }
 
-void vtkRidgesAverageJets(vtkPolyData* fitted, const ridges::JetChoice& choice)
+void vtkRidgesAverageJets(
+  const vtkRidgesMesh& mesh, vtkPolyData* fitted, const ridges::JetChoice& choice)
 {
   vtkNew<vtkPolyData> before;
   before->ShallowCopy(fitted);
+  mesh.HandOnWith(before);
   vtkNew<vtkMongeSmoothing> smoothing;
   smoothing->SetMethodToAllOrders();
   smoothing->SetNumberOfSteps(choice.numberOfAverages);

@@ -7,14 +7,16 @@
 
 class vtkAlgorithm;
 class vtkPolyData;
+class vtkRidgesMesh;
 
 /// The degree and the rings with which derivatives of order 2 or 3 have the least error, by trials
 /// on a sample of the points. False if the user aborted.
 bool vtkRidgesSelectJets(vtkAlgorithm* filter, const ridges::TriangleMesh& mesh,
   const ridges::OrderedRings& rings, int order, double from, double to, ridges::JetChoice& choice);
 
-/// Replaces the fitted arrays of a mesh by their averages.
-void vtkRidgesAverageJets(vtkPolyData* fitted, const ridges::JetChoice& choice);
+/// Replaces the fitted arrays by their averages. `mesh` is that of `fitted`.
+void vtkRidgesAverageJets(
+  const vtkRidgesMesh& mesh, vtkPolyData* fitted, const ridges::JetChoice& choice);
 
 /// Into field data; what an earlier fit left is removed. Null: there was no choice.
 void vtkRidgesStoreJetChoice(vtkPolyData* mesh, const ridges::JetChoice* choice);

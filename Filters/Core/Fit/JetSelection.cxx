@@ -19,8 +19,6 @@ constexpr int NumberOfBands = JetTrial::NumberOfBands;
 /// Degrees that fits can have: the highest band is there to compare with.
 constexpr int LastDegree = NumberOfBands - 2;
 
-/// The variance of noise: there is as much everywhere, but of the surface more in some places than
-/// in others. So a low quantile of the squares tells it, over that of a chi-squared variable.
 constexpr double Quantile = 0.2;
 constexpr double QuantileOfNormal = -0.8416;
 
@@ -32,6 +30,8 @@ double QuantileOf(std::vector<double>& values)
   return *at;
 }
 
+/// The variance of noise: there is as much everywhere, but of the surface more in some places than
+/// in others. So a low quantile of the squares tells it, over that of a chi-squared variable.
 double NoiseOf(const std::vector<JetTrial>& trials)
 {
   double least = std::numeric_limits<double>::infinity();
@@ -287,7 +287,7 @@ void JetSelection::Choose()
     double leastOfStep = std::numeric_limits<double>::infinity();
     for (int degree = lowest; degree <= LastDegree; ++degree)
     {
-      for (const int averages : { 0, 2 })
+      for (const int averages : { 0, MostAverages })
       {
         if (averages > 0 && RingsToTry[step] < FewestRingsToAverage)
         {

@@ -33,7 +33,7 @@ struct JetChoice
  * so it is measured for each number of rings. What a degree leaves out of the surface grows with
  * the rings: it is what the band above it adds, less what noise adds there.
  *
- * Errors that change from point to point make short ridges and flickering types. So two averages
+ * Errors that change from point to point make short ridges and flickering types. So averages
  * over one-rings may follow the fit, and the variance counts more than the rest of the error: the
  * sum of both has a flat minimum, near which this costs little.
  */
@@ -41,6 +41,7 @@ class JetSelection
 {
 public:
   static constexpr int MostRings = 24;
+  static constexpr int MostAverages = 2;
 
   /// `order`: of the derivatives, 2 or 3.
   explicit JetSelection(int order);

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Fit/JetTrial.h"
 
+#include "Monge/MongeForm.h"
+
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
@@ -15,11 +17,6 @@ namespace
 {
 
 constexpr int HighestDegree = JetTrial::DegreeOf(JetTrial::NumberOfBands - 1);
-
-constexpr int SizeOf(int degree)
-{
-  return (degree + 1) * (degree + 2) / 2;
-}
 
 /// Legendre polynomials, times the root of 2 n + 1: on a square their products are orthonormal, and
 /// not far from it on other sets of points.
@@ -73,7 +70,7 @@ constexpr int Orders[NumberOfDerivatives][2] = { { 2, 0 }, { 1, 1 }, { 0, 2 }, {
 Eigen::MatrixXd Functionals()
 {
   const std::array<Polynomials, 4> at = DerivativesAtZero();
-  Eigen::MatrixXd functionals(SizeOf(HighestDegree), NumberOfDerivatives);
+  Eigen::MatrixXd functionals(HeightJet::Size(HighestDegree), NumberOfDerivatives);
   for (int d = 0, row = 0; d <= HighestDegree; ++d)
   {
     for (int j = 0; j <= d; ++j, ++row)
@@ -162,7 +159,7 @@ void JetProbe::TurnToPrincipalAxes()
 
 void JetProbe::SetBasis(int degree)
 {
-  this->Basis_.resize(SizeOf(degree), this->Local_.cols());
+  this->Basis_.resize(HeightJet::Size(degree), this->Local_.cols());
   Polynomials u;
   Polynomials v;
   for (Eigen::Index i = 0; i < this->Local_.cols(); ++i)
@@ -215,7 +212,7 @@ void JetProbe::AddBands(int bands, JetTrial& trial) const
   int first = 0;
   for (int b = 0; b < bands; ++b)
   {
-    const int count = SizeOf(JetTrial::DegreeOf(b)) - first;
+    const int count = HeightJet::Size(JetTrial::DegreeOf(b)) - first;
     if (pivots.segment(first, count).minCoeff() < leastPivot)
     {
       return;
