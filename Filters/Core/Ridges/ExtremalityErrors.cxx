@@ -13,9 +13,8 @@ namespace ridges
 namespace
 {
 
-/// Errors of points that do not count, and of those that have not been looked at.
+/// The error of points that do not count.
 constexpr double NotKnown = -1.0;
-constexpr double NotMeasured = -2.0;
 
 /// Of a fit to two rings, where it is not known.
 constexpr double UsualGain = 60.0;
@@ -34,12 +33,12 @@ ExtremalityErrors::ExtremalityErrors(const Source& source, Color color, double s
   , Color_(color)
   , Significance_(significance)
   , Rounding_(CoordinateRounding(source.mesh))
-  , Own_(source.mesh.NumberOfPoints(), Sums{ 0.0, NotMeasured })
 {
 }
 
 void ExtremalityErrors::Begin()
 {
+  this->Own_.resize(this->Source_.mesh.NumberOfPoints());
   this->Rings_.resize(this->Own_.size());
   this->Verdicts_.assign(this->Own_.size(), Verdict::Unknown);
 }
@@ -91,11 +90,11 @@ bool ExtremalityErrors::IsSignificantAt(Id p)
 {
   const auto own = [this](Id q)
   {
-    if (this->Own_[q].squaredError == NotMeasured)
+    if (const Sums* known = this->Asked_.Find(q))
     {
-      this->Own_[q] = this->At(q);
+      return *known;
     }
-    return this->Own_[q];
+    return this->Asked_[q] = this->At(q);
   };
   return !this->IsRoundOff(p) && own(p).squaredError != NotKnown && !this->IsUnresolved(p) &&
     this->IsSignificant(this->OverRing(p, [this, &own](Id q) { return this->OverRing(q, own); }));

@@ -4,6 +4,7 @@
 #define ridges_ExtremalityErrors_h
 
 #include "Fit/FitErrors.h"
+#include "Mesh/IdTable.h"
 #include "Monge/MongeField.h"
 
 #include <cstdint>
@@ -97,7 +98,8 @@ private:
   Color Color_;
   double Significance_;
   double Rounding_;
-  std::vector<Sums> Own_;   ///< Per point: see NotMeasured and NotKnown.
+  IdTable<Sums> Asked_;     ///< Of points that IsSignificantAt needed.
+  std::vector<Sums> Own_;   ///< Per point.
   std::vector<Sums> Rings_; ///< Per point, over its ring.
   std::vector<Verdict> Verdicts_;
 };
