@@ -168,12 +168,12 @@ TEST(AcuteRule, ZeroCountsAsPositiveWithEitherSign)
 //------------------------------------------------------------------------------
 TEST(AcuteRule, CrossingParameterIsEquationFour)
 {
-  const double RoundOff = 1e-15;
+  const double roundOff = 1e-15;
   // p b(q) + q b(p) over their sum, in absolute values: signs depend on the frames.
-  EXPECT_NEAR(CrossingParameter(1.0, -3.0), 0.25, RoundOff);
-  EXPECT_NEAR(CrossingParameter(-1.0, -3.0), 0.25, RoundOff);
-  EXPECT_NEAR(CrossingParameter(3e-200, 1e-200), 0.75, RoundOff);
-  EXPECT_NEAR(CrossingParameter(2e150, -2e150), 0.5, RoundOff);
+  EXPECT_NEAR(CrossingParameter(1.0, -3.0), 0.25, roundOff);
+  EXPECT_NEAR(CrossingParameter(-1.0, -3.0), 0.25, roundOff);
+  EXPECT_NEAR(CrossingParameter(3e-200, 1e-200), 0.75, roundOff);
+  EXPECT_NEAR(CrossingParameter(2e150, -2e150), 0.5, roundOff);
   EXPECT_EQ(CrossingParameter(0.0, -2.0), 0.0);
   EXPECT_EQ(CrossingParameter(2.0, 0.0), 1.0);
   EXPECT_EQ(CrossingParameter(0.0, 0.0), 0.5);
@@ -183,7 +183,7 @@ TEST(AcuteRule, CrossingParameterIsEquationFour)
     const double p = Symmetric(generator);
     const double q = Symmetric(generator);
     const double t = CrossingParameter(p, q);
-    EXPECT_NEAR(std::abs(p) * (1.0 - t), std::abs(q) * t, RoundOff); // The zero of |p|, -|q|.
-    EXPECT_NEAR(CrossingParameter(q, p), 1.0 - t, RoundOff);
+    EXPECT_NEAR(std::abs(p) * (1.0 - t), std::abs(q) * t, roundOff); // The zero of |p|, -|q|.
+    EXPECT_NEAR(CrossingParameter(q, p), 1.0 - t, roundOff);
   }
 }

@@ -21,17 +21,17 @@ class RidgeZonesOnGrid : public ::testing::Test
 protected:
   // 41 by 41 points.
   RidgeZonesOnGrid()
-    : surface(GraphPatch([](double, double) { return 0.0; }, 1.0, 40))
-    , mesh(surface.Triangles())
-    , verdicts(mesh.NumberOfPoints(), Verdict::Insignificant)
+    : Surface(GraphPatch([](double, double) { return 0.0; }, 1.0, 40))
+    , Mesh(Surface.Triangles())
+    , Verdicts(Mesh.NumberOfPoints(), Verdict::Insignificant)
   {
   }
 
-  Eigen::Vector3d At(Id p) const { return this->mesh.Point(p); }
+  Eigen::Vector3d At(Id p) const { return this->Mesh.Point(p); }
 
-  MeshedSurface surface;
-  const TriangleMesh& mesh;
-  std::vector<Verdict> verdicts;
+  MeshedSurface Surface;
+  const TriangleMesh& Mesh;
+  std::vector<Verdict> Verdicts;
 };
 
 } // namespace
@@ -39,12 +39,12 @@ protected:
 //------------------------------------------------------------------------------
 TEST_F(RidgeZonesOnGrid, InsignificantMeshIsOneZone)
 {
-  const RidgeZones zones(mesh, verdicts);
+  const RidgeZones zones(Mesh, Verdicts);
   ASSERT_EQ(zones.Regions().size(), 1u);
-  EXPECT_EQ(static_cast<Id>(zones.Regions()[0].size()), mesh.NumberOfPoints());
+  EXPECT_EQ(static_cast<Id>(zones.Regions()[0].size()), Mesh.NumberOfPoints());
   EXPECT_FALSE(zones.IsRoundOff(0));
   std::vector<Id> triangles = zones.TrianglesOf(0);
-  EXPECT_EQ(static_cast<Id>(triangles.size()), mesh.NumberOfTriangles());
+  EXPECT_EQ(static_cast<Id>(triangles.size()), Mesh.NumberOfTriangles());
   std::sort(triangles.begin(), triangles.end());
   EXPECT_EQ(std::unique(triangles.begin(), triangles.end()), triangles.end());
 }
@@ -55,11 +55,11 @@ TEST_F(RidgeZonesOnGrid, ZonesKeepAwayFromWhatIsSignificantOrUnresolved)
   for (const Verdict other : { Verdict::Significant, Verdict::Unresolved })
   {
     const Id center = 840;
-    verdicts[center] = other;
-    const RidgeZones zones(mesh, verdicts);
+    Verdicts[center] = other;
+    const RidgeZones zones(Mesh, Verdicts);
     ASSERT_EQ(zones.Regions().size(), 1u);
     const double edge = 2.0 / 40;
-    for (Id p = 0; p < mesh.NumberOfPoints(); ++p)
+    for (Id p = 0; p < Mesh.NumberOfPoints(); ++p)
     {
       const double distance = (At(p) - At(center)).lpNorm<Eigen::Infinity>();
       if (distance > (RidgeZones::Margin + 0.5) * edge)
@@ -78,21 +78,21 @@ TEST_F(RidgeZonesOnGrid, ZonesNeedPointsAndAShareOfTheMesh)
 {
   const auto setStrip = [this](double x)
   {
-    for (Id p = 0; p < mesh.NumberOfPoints(); ++p)
+    for (Id p = 0; p < Mesh.NumberOfPoints(); ++p)
     {
-      verdicts[p] = std::abs(At(p).x() - x) < 0.03 ? Verdict::Significant : Verdict::Insignificant;
+      Verdicts[p] = std::abs(At(p).x() - x) < 0.03 ? Verdict::Significant : Verdict::Insignificant;
     }
   };
   setStrip(-0.15);
-  EXPECT_EQ(RidgeZones(mesh, verdicts).Regions().size(), 2u);
+  EXPECT_EQ(RidgeZones(Mesh, Verdicts).Regions().size(), 2u);
   setStrip(-0.5);
-  EXPECT_EQ(RidgeZones(mesh, verdicts).Regions().size(), 1u);
+  EXPECT_EQ(RidgeZones(Mesh, Verdicts).Regions().size(), 1u);
   // What is round-off does not need them.
-  for (Id p = 0; p < mesh.NumberOfPoints(); ++p)
+  for (Id p = 0; p < Mesh.NumberOfPoints(); ++p)
   {
-    verdicts[p] = At(p).x() < -0.6 ? Verdict::RoundOff : verdicts[p];
+    Verdicts[p] = At(p).x() < -0.6 ? Verdict::RoundOff : Verdicts[p];
   }
-  const RidgeZones zones(mesh, verdicts);
+  const RidgeZones zones(Mesh, Verdicts);
   ASSERT_EQ(zones.Regions().size(), 2u);
   EXPECT_NE(zones.IsRoundOff(0), zones.IsRoundOff(1));
 }
@@ -100,21 +100,21 @@ TEST_F(RidgeZonesOnGrid, ZonesNeedPointsAndAShareOfTheMesh)
 //------------------------------------------------------------------------------
 TEST_F(RidgeZonesOnGrid, UnknownPointsAreNoEvidence)
 {
-  std::fill(verdicts.begin(), verdicts.end(), Verdict::Unknown);
-  verdicts.back() = Verdict::Significant;
-  EXPECT_TRUE(RidgeZones(mesh, verdicts).Regions().empty());
-  std::fill_n(verdicts.begin(), RidgeZones::LeastPoints, Verdict::Insignificant);
-  EXPECT_EQ(RidgeZones(mesh, verdicts).Regions().size(), 1u);
+  std::fill(Verdicts.begin(), Verdicts.end(), Verdict::Unknown);
+  Verdicts.back() = Verdict::Significant;
+  EXPECT_TRUE(RidgeZones(Mesh, Verdicts).Regions().empty());
+  std::fill_n(Verdicts.begin(), RidgeZones::LeastPoints, Verdict::Insignificant);
+  EXPECT_EQ(RidgeZones(Mesh, Verdicts).Regions().size(), 1u);
 }
 
 //------------------------------------------------------------------------------
 // As where all fits are ill conditioned.
 TEST_F(RidgeZonesOnGrid, MeshWithoutAnythingSignificantIsAZone)
 {
-  std::fill(verdicts.begin(), verdicts.end(), Verdict::Unknown);
-  EXPECT_EQ(RidgeZones(mesh, verdicts).Regions().size(), 1u);
-  verdicts.back() = Verdict::Unresolved;
-  EXPECT_TRUE(RidgeZones(mesh, verdicts).Regions().empty());
+  std::fill(Verdicts.begin(), Verdicts.end(), Verdict::Unknown);
+  EXPECT_EQ(RidgeZones(Mesh, Verdicts).Regions().size(), 1u);
+  Verdicts.back() = Verdict::Unresolved;
+  EXPECT_TRUE(RidgeZones(Mesh, Verdicts).Regions().empty());
 }
 
 //------------------------------------------------------------------------------
@@ -134,21 +134,21 @@ TEST(RidgeZones, SmallMeshesAreZonesAsAWhole)
 // Three ridges in a row through two umbilics: what is outside keeps all of them.
 TEST_F(RidgeZonesOnGrid, UmbilicsKeepAllRidgesOfAColorOrNone)
 {
-  for (Id p = 0; p < mesh.NumberOfPoints(); ++p)
+  for (Id p = 0; p < Mesh.NumberOfPoints(); ++p)
   {
-    verdicts[p] = At(p).x() > 0.6 ? Verdict::Significant : Verdict::Insignificant;
+    Verdicts[p] = At(p).x() > 0.6 ? Verdict::Significant : Verdict::Insignificant;
   }
-  const RidgeZones zones(mesh, verdicts);
+  const RidgeZones zones(Mesh, Verdicts);
   ASSERT_EQ(zones.Regions().size(), 1u);
   std::vector<Id> inside;
   std::vector<Id> outside;
-  for (Id e = 0; e < mesh.NumberOfEdges(); ++e)
+  for (Id e = 0; e < Mesh.NumberOfEdges(); ++e)
   {
-    const double x = At(mesh.EdgeAt(e).v0).x();
+    const double x = At(Mesh.EdgeAt(e).v0).x();
     (x < 0.0 ? inside : outside).push_back(e);
   }
-  const Id first = Ridge::AtUmbilic(mesh.EdgeAt(inside[100]).t0);
-  const Id second = Ridge::AtUmbilic(mesh.EdgeAt(inside[500]).t0);
+  const Id first = Ridge::AtUmbilic(Mesh.EdgeAt(inside[100]).t0);
+  const Id second = Ridge::AtUmbilic(Mesh.EdgeAt(inside[500]).t0);
   const auto ridge = [](std::vector<Id> nodes)
   {
     Ridge made;
@@ -157,17 +157,17 @@ TEST_F(RidgeZonesOnGrid, UmbilicsKeepAllRidgesOfAColorOrNone)
   };
   std::vector<Ridge> ridges = { ridge({ inside[0], first }), ridge({ first, inside[1], second }),
     ridge({ inside[2], inside[3] }), ridge({ second, inside[4], inside[5] }) };
-  EXPECT_EQ(RidgesInZones(zones, mesh, ridges, {}, {}), std::vector<std::uint8_t>(4, 1));
+  EXPECT_EQ(RidgesInZones(zones, Mesh, ridges, {}, {}), std::vector<std::uint8_t>(4, 1));
   ridges[3].nodes.push_back(outside.back());
-  EXPECT_EQ(RidgesInZones(zones, mesh, ridges, {}, {}), (std::vector<std::uint8_t>{ 0, 0, 1, 0 }));
+  EXPECT_EQ(RidgesInZones(zones, Mesh, ridges, {}, {}), (std::vector<std::uint8_t>{ 0, 0, 1, 0 }));
 }
 
 //------------------------------------------------------------------------------
 TEST_F(RidgeZonesOnGrid, SampleHasPointsDeepInsideOnly)
 {
-  const RidgeZones zones(mesh, verdicts);
+  const RidgeZones zones(Mesh, Verdicts);
   const auto isDeep = [this](Id p) { return At(p).lpNorm<Eigen::Infinity>() < 0.8; };
-  const std::vector<Id> sample = SampleOf(mesh, zones.Regions()[0], isDeep);
+  const std::vector<Id> sample = SampleOf(Mesh, zones.Regions()[0], isDeep);
   EXPECT_GE(sample.size(), 8u);
   EXPECT_TRUE(std::all_of(sample.begin(), sample.end(), isDeep));
   EXPECT_EQ(std::set<Id>(sample.begin(), sample.end()).size(), sample.size());

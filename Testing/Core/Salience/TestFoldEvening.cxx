@@ -89,10 +89,10 @@ TEST(FoldEvening, StopsAtHyperbolicPieces)
 
 TEST(FoldEvening, DoesNotDependOnTheSenseOfTheRidge)
 {
-  std::vector<double> angles;
-  for (int i = 0; i < 20; ++i)
+  std::vector<double> angles(20);
+  for (std::size_t i = 0; i < angles.size(); ++i)
   {
-    angles.push_back(std::sin(i * i));
+    angles[i] = std::sin(static_cast<double>(i * i));
   }
   StraightRidge forward(angles);
   StraightRidge backward(std::vector<double>(angles.rbegin(), angles.rend()));
