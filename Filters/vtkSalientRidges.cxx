@@ -350,7 +350,7 @@ bool vtkSalientRidges::vtkInternals::FindLines(
   const double reach = CornerReach * sigma;
   const double angle = std::max(rule.angle, vtkMath::RadiansFromDegrees(CornerAngle));
   lines.MeetAtCorners(monge.arrays.GetField(), { reach, angle });
-  lines.Store(output);
+  lines.Store(monge.arrays.GetField(), this->Filter->LineSmoothing * scale, output);
   return true;
 }
 
@@ -380,7 +380,8 @@ int vtkSalientRidges::RequestData(
   if (!vtkRidgesAreNumbers(this,
         { { "FoldAngle", this->FoldAngle }, { "RelativeScale", this->RelativeScale },
           { "Hysteresis", this->Hysteresis }, { "LongestGap", this->LongestGap },
-          { "LeastMass", this->LeastMass }, { "NoiseFactor", this->NoiseFactor } }))
+          { "LeastMass", this->LeastMass }, { "NoiseFactor", this->NoiseFactor },
+          { "LineSmoothing", this->LineSmoothing } }))
   {
     return 0;
   }
@@ -423,4 +424,5 @@ void vtkSalientRidges::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "LeastMass: " << this->LeastMass << "\n";
   os << indent << "CrestOnly: " << (this->CrestOnly ? "On\n" : "Off\n");
   os << indent << "NoiseFactor: " << this->NoiseFactor << "\n";
+  os << indent << "LineSmoothing: " << this->LineSmoothing << "\n";
 }

@@ -140,6 +140,17 @@ public:
   vtkGetMacro(NoiseFactor, double);
   ///@}
 
+  ///@{
+  /**
+   * How far lines are smoothed, in units of the scale, 0 or more: the standard deviation of a
+   * Gaussian along them. Points stay on the surface, but not on edges of the mesh, and ends stay
+   * where they are. Default 0: lines are where the ridges are. With 0.5 they no longer zigzag with
+   * the edges of the mesh, and keep all shapes that the scale keeps.
+   */
+  vtkSetClampMacro(LineSmoothing, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(LineSmoothing, double);
+  ///@}
+
 protected:
   vtkSalientRidges();
   ~vtkSalientRidges() override;
@@ -152,6 +163,7 @@ protected:
   double LeastMass = 0.05;
   bool CrestOnly = true;
   double NoiseFactor = 3.0;
+  double LineSmoothing = 0.0;
 
 private:
   vtkSalientRidges(const vtkSalientRidges&) = delete;

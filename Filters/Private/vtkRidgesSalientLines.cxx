@@ -3,6 +3,7 @@
 #include "vtkRidgesSalientLines.h"
 
 #include "Core/Ridges/RidgeMeasures.h"
+#include "Core/Salience/LineSmoothing.h"
 #include "vtkRidgesArrayNames.h"
 
 #include "vtkCellArray.h"
@@ -163,27 +164,36 @@ void vtkRidgesSalientLines::MeetAtCorners(
   ridges::MeetAtCorners(this->Mesh, field, rule, lines);
 }
 
-/// The vertices with their folds, corners included, which have those of the line's end.
-std::vector<vtkRidgesSalientLines::Vertex> vtkRidgesSalientLines::VerticesOf(const Entry& entry)
+/// The vertices, corners included.
+std::vector<ridges::RidgeVertex> vtkRidgesSalientLines::VerticesOf(const Entry& entry)
 {
-  std::vector<Vertex> vertices;
-  const std::vector<Id>& ids = entry.line.vertices;
+  std::vector<ridges::RidgeVertex> vertices;
   if (entry.line.startCorner)
   {
-    vertices.push_back({ &*entry.line.startCorner, &(*entry.folds)[ids.front()] });
+    vertices.push_back(*entry.line.startCorner);
   }
-  for (const Id id : ids)
+  for (const Id id : entry.line.vertices)
   {
-    vertices.push_back({ &entry.ridge->vertices[id], &(*entry.folds)[id] });
+    vertices.push_back(entry.ridge->vertices[id]);
   }
   if (entry.line.endCorner)
   {
-    vertices.push_back({ &*entry.line.endCorner, &(*entry.folds)[ids.back()] });
+    vertices.push_back(*entry.line.endCorner);
   }
   return vertices;
 }
 
-void vtkRidgesSalientLines::Store(vtkPolyData* output) const
+/// Corners have the fold of the line's end.
+const ridges::Fold& vtkRidgesSalientLines::FoldAt(const Entry& entry, std::size_t vertex)
+{
+  const std::vector<Id>& ids = entry.line.vertices;
+  const std::size_t corner = entry.line.startCorner ? 1 : 0;
+  const std::size_t at = vertex < corner ? 0 : std::min(vertex - corner, ids.size() - 1);
+  return (*entry.folds)[ids[at]];
+}
+
+void vtkRidgesSalientLines::Store(
+  const ridges::MongeField& field, double smoothing, vtkPolyData* output) const
 {
   std::vector<const Entry*> order;
   for (const Entry& entry : this->Entries)
@@ -199,9 +209,11 @@ void vtkRidgesSalientLines::Store(vtkPolyData* output) const
   CellWriter cellWriter;
   std::map<const ridges::RidgeTrace*, vtkIdType> ridgeIds;
   std::vector<ridges::RidgePoint> points;
+  ridges::LineSmoother smoother(this->Mesh, field, smoothing);
   for (const Entry* entry : order)
   {
-    const std::vector<Vertex> vertices = VerticesOf(*entry);
+    std::vector<ridges::RidgeVertex> vertices = VerticesOf(*entry);
+    smoother.Smooth(entry->line.closed, vertices);
     const auto ridge =
       ridgeIds.insert({ entry->ridge, static_cast<vtkIdType>(ridgeIds.size()) }).first->second;
     points.clear();
@@ -210,14 +222,14 @@ void vtkRidgesSalientLines::Store(vtkPolyData* output) const
     vtkIdType first = -1;
     for (std::size_t i = 0; i < vertices.size(); ++i)
     {
-      const ridges::RidgeVertex& vertex = *vertices[i].vertex;
+      const ridges::RidgeVertex& vertex = vertices[i];
       points.push_back(vertex.point);
       if (i > 0)
       {
         arc += (vertex.point.position - points[i - 1].position).norm();
       }
       const bool returns = entry->line.closed && i + 1 == vertices.size();
-      const vtkIdType id = returns ? first : pointWriter.Insert(vertex, *vertices[i].fold, arc);
+      const vtkIdType id = returns ? first : pointWriter.Insert(vertex, FoldAt(*entry, i), arc);
       first = i == 0 ? id : first;
       lines->InsertCellPoint(id);
     }

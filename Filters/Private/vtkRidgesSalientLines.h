@@ -33,8 +33,8 @@ public:
   /// Lengthens lines to where they meet.
   void MeetAtCorners(const ridges::MongeField& field, const ridges::CornerRule& rule);
 
-  /// Stores all, the most massive first.
-  void Store(vtkPolyData* output) const;
+  /// Stores all, the most massive first, smoothed to this deviation.
+  void Store(const ridges::MongeField& field, double smoothing, vtkPolyData* output) const;
 
 private:
   struct Entry
@@ -44,12 +44,8 @@ private:
     const ridges::RidgeFolds* folds;
   };
 
-  struct Vertex
-  {
-    const ridges::RidgeVertex* vertex;
-    const ridges::Fold* fold;
-  };
-  static std::vector<Vertex> VerticesOf(const Entry& entry);
+  static std::vector<ridges::RidgeVertex> VerticesOf(const Entry& entry);
+  static const ridges::Fold& FoldAt(const Entry& entry, std::size_t vertex);
 
   const ridges::TriangleMesh& Mesh;
   double Diameter;

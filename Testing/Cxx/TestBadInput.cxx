@@ -274,6 +274,7 @@ TEST(BadProperties, EveryFilterRejectsNaN)
   EXPECT_NAN_IS_AN_ERROR(vtkSalientRidges, Hysteresis, fitted);
   EXPECT_NAN_IS_AN_ERROR(vtkSalientRidges, LongestGap, fitted);
   EXPECT_NAN_IS_AN_ERROR(vtkSalientRidges, LeastMass, fitted);
+  EXPECT_NAN_IS_AN_ERROR(vtkSalientRidges, LineSmoothing, fitted);
   EXPECT_NAN_IS_AN_ERROR(vtkSalientRidges, NoiseFactor, fitted);
   EXPECT_NAN_IS_AN_ERROR(vtkRidgesAndUmbilics, MinimumSharpness, fitted);
   EXPECT_NAN_IS_AN_ERROR(vtkRidgesAndUmbilics, UmbilicCutOff, fitted);

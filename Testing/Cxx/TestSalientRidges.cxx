@@ -131,6 +131,31 @@ TEST(SalientRidges, FindsTheCrestAndTheValley)
   EXPECT_EQ(types, 1 + 3);
 }
 
+TEST(SalientRidges, SmoothsItsLinesOnTheSurface)
+{
+  const auto salient = Find(ToPolyData(RoofAndValley()));
+  const auto unevenness = [&salient](double smoothing)
+  {
+    salient->SetLineSmoothing(smoothing);
+    salient->Update();
+    vtkPolyData* lines = salient->GetOutput();
+    EXPECT_EQ(lines->GetNumberOfLines(), 2);
+    // Lines run along y: what they are longer by are zigzags.
+    double extra = 0.0;
+    for (vtkIdType i = 0; i < lines->GetNumberOfLines(); ++i)
+    {
+      vtkIdList* points = lines->GetCell(i)->GetPointIds();
+      const Vector3d way = PointAt(lines, points->GetId(points->GetNumberOfIds() - 1)) -
+        PointAt(lines, points->GetId(0));
+      extra += Value(lines->GetCellData(), names::Length, i) / way.norm() - 1.0;
+    }
+    return extra;
+  };
+  const double without = unevenness(0.0);
+  EXPECT_LT(unevenness(1.0), 0.5 * without);
+  EXPECT_GT(without, 0.0);
+}
+
 TEST(SalientRidges, DescribesItsLines)
 {
   const auto salient = Find(ToPolyData(RoofAndValley()));

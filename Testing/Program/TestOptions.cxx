@@ -73,16 +73,18 @@ TEST(Options, SetRidgeExtraction)
 TEST(Options, SetSalientRidges)
 {
   Filters filters;
-  const auto options = Parse(
-    { "mesh.off", "--fold-angle", "25", "--relative-scale", "0.005", "--hysteresis", "0.4",
-      "--longest-gap", "2", "--least-mass", "0.1", "--noise-factor", "0", "--not-crest-only" },
-    filters);
+  const auto options =
+    Parse({ "mesh.off", "--fold-angle", "25", "--relative-scale", "0.005", "--hysteresis", "0.4",
+            "--longest-gap", "2", "--least-mass", "0.1", "--noise-factor", "0", "--line-smoothing",
+            "0.5", "--not-crest-only" },
+      filters);
   EXPECT_EQ(options.lines, program::Lines::Salient);
   EXPECT_EQ(filters.salient->GetFoldAngle(), 25.0);
   EXPECT_EQ(filters.salient->GetRelativeScale(), 0.005);
   EXPECT_EQ(filters.salient->GetHysteresis(), 0.4);
   EXPECT_EQ(filters.salient->GetLongestGap(), 2.0);
   EXPECT_EQ(filters.salient->GetLeastMass(), 0.1);
+  EXPECT_EQ(filters.salient->GetLineSmoothing(), 0.5);
   EXPECT_EQ(filters.salient->GetNoiseFactor(), 0.0);
   EXPECT_FALSE(filters.salient->GetCrestOnly());
 }

@@ -289,6 +289,11 @@ void AddSalient(CLI::App& app, vtkSalientRidges* filter)
     [filter](double value) { filter->SetNoiseFactor(value); },
     "number of standard deviations of noise by which the angles that lines need are raised; 0 "
     "does not estimate noise");
+  group.Number<double>(
+    "--line-smoothing", "SCALES", filter->GetLineSmoothing(),
+    { filter->GetLineSmoothingMinValue(), filter->GetLineSmoothingMaxValue() },
+    [filter](double value) { filter->SetLineSmoothing(value); },
+    "how far lines are smoothed on the surface, in units of the scale");
   group.Flag(
     "--not-crest-only", [filter](bool on) { filter->SetCrestOnly(!on); },
     "keep also ridges of the smaller of both curvatures");
