@@ -129,6 +129,22 @@ TEST(MeshReader, AcceptsAByteOrderMarkAndEitherLineEndInTextFormats)
   }
 }
 
+TEST(MeshReader, DoesNotMakeRoomForCornersThatTheFileCannotHold)
+{
+  for (const MeshBytes& file : WriteInAllFormats(Ellipsoid(2)))
+  {
+    if (file.name == "ascii.vtp")
+    {
+      std::string bytes = file.bytes;
+      const std::size_t last = bytes.rfind("240");
+      ASSERT_NE(last, std::string::npos);
+      bytes.replace(last, 3, "1744830704");
+      EXPECT_NE(
+        FailureOf(bytes, file.name).find("more corners than the file can hold"), std::string::npos);
+    }
+  }
+}
+
 TEST(MeshReader, LeavesOutGhostCells)
 {
   vtkNew<vtkPolyData> data;

@@ -43,9 +43,8 @@ public:
   Eigen::Vector3d Average(Id vertex, double sigma) const
   {
     const double length = this->Arc_.back();
-    const double toEnd = this->Closed_
-      ? 0.5 * length
-      : std::min(this->Arc_[vertex], length - this->Arc_[vertex]);
+    const double toEnd =
+      this->Closed_ ? 0.5 * length : std::min(this->Arc_[vertex], length - this->Arc_[vertex]);
     const double deviation = std::min(sigma, toEnd / Reach);
     const Eigen::Vector3d& center = this->At(vertex);
     if (!(deviation > 0.0))
@@ -118,8 +117,7 @@ Eigen::Vector3d NearestOnSegment(
 Eigen::Vector3d NearestOnTriangle(
   const Eigen::Vector3d& x, const std::array<Eigen::Vector3d, 3>& corners)
 {
-  const Eigen::Vector3d normal =
-    (corners[1] - corners[0]).cross(corners[2] - corners[0]);
+  const Eigen::Vector3d normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
   bool isAbove = normal.squaredNorm() > 0.0;
   Eigen::Vector3d nearest = corners[0];
   for (int i = 0; i < 3; ++i)
@@ -130,9 +128,8 @@ Eigen::Vector3d NearestOnTriangle(
     const Eigen::Vector3d onSide = NearestOnSegment(x, a, b);
     nearest = (onSide - x).squaredNorm() < (nearest - x).squaredNorm() ? onSide : nearest;
   }
-  return isAbove
-    ? Eigen::Vector3d(x - (x - corners[0]).dot(normal) / normal.squaredNorm() * normal)
-    : nearest;
+  return isAbove ? Eigen::Vector3d(x - (x - corners[0]).dot(normal) / normal.squaredNorm() * normal)
+                 : nearest;
 }
 
 } // namespace

@@ -12,9 +12,9 @@ namespace ridges
 {
 
 /**
- * Smooths lines within the surface: each vertex is moved to the average of the line around it, taken
- * with a Gaussian of deviation `sigma`, and from there to the nearest point of its sheet of the
- * surface. It lies on no edge then, and keeps what was measured where it was.
+ * Smooths lines within the surface: each vertex is moved to the average of the line around it,
+ * taken with a Gaussian of deviation `sigma`, and from there to the nearest point of its sheet of
+ * the surface. It lies on no edge then, and keeps what was measured where it was.
  *
  * The ends of an open line stay, near which the Gaussian is narrower, and so do vertices that were
  * on no edge.

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkRidges contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "Salience/LineSmoothing.h"
 #include "Fixtures/TestFields.h"
+#include "Salience/LineSmoothing.h"
 
 #include <gtest/gtest.h>
 
@@ -41,7 +41,8 @@ std::vector<RidgeVertex> Cross(const TriangleMesh& mesh,
       line.push_back(vertex);
     }
   }
-  std::sort(line.begin(), line.end(), [&order](const RidgeVertex& a, const RidgeVertex& b)
+  std::sort(line.begin(), line.end(),
+    [&order](const RidgeVertex& a, const RidgeVertex& b)
     { return order(a.point.position) < order(b.point.position); });
   return line;
 }

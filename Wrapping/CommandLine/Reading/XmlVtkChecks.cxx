@@ -73,11 +73,11 @@ public:
     : Bytes(bytes)
     , FileName(fileName)
   {
+    this->CheckEnds();
   }
 
-  void Check()
+  void Check() const
   {
-    this->CheckEnds();
     this->CheckCounts();
     for (std::size_t at = this->Bytes.find("<DataArray"); at != std::string_view::npos;
          at = this->Bytes.find("<DataArray", at + 1))
@@ -88,6 +88,11 @@ public:
         this->CheckArray(this->Bytes.substr(at, end - at), end + 1);
       }
     }
+  }
+
+  double MostBytes() const
+  {
+    return (this->IsCompressed ? MostCompression : 1.0) * static_cast<double>(this->Bytes.size());
   }
 
 private:
@@ -128,11 +133,6 @@ private:
       const std::size_t mark = this->Bytes.find('_', this->Bytes.find('>', appended));
       this->Appended = mark == std::string_view::npos ? mark : mark + 1;
     }
-  }
-
-  double MostBytes() const
-  {
-    return (this->IsCompressed ? MostCompression : 1.0) * static_cast<double>(this->Bytes.size());
   }
 
   /// The smallest array of a count has four bytes for each if it is compressed, else a digit.
@@ -215,9 +215,11 @@ private:
 
 } // namespace
 
-void CheckXmlVtk(std::string_view bytes, const std::string& fileName)
+double CheckXmlVtk(std::string_view bytes, const std::string& fileName)
 {
-  XmlVtkChecker(bytes, fileName).Check();
+  const XmlVtkChecker checker(bytes, fileName);
+  checker.Check();
+  return checker.MostBytes();
 }
 
 } // namespace program

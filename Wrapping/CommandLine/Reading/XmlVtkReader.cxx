@@ -8,16 +8,71 @@
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
 #include "vtkCellData.h"
+#include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkNew.h"
+#include "vtkObjectFactory.h"
 #include "vtkPoints.h"
 #include "vtkUnsignedCharArray.h"
+#include "vtkXMLDataElement.h"
 #include "vtkXMLPolyDataReader.h"
 
 namespace program
 {
 namespace
 {
+
+/// Looks at the offsets of cells before it reads their corners: of these it would make room for as
+/// many as the offsets ask for.
+class CheckedReader : public vtkXMLPolyDataReader
+{
+public:
+  static CheckedReader* New();
+  vtkTypeMacro(CheckedReader, vtkXMLPolyDataReader);
+
+  void SetMostCorners(double most) { this->MostCorners = most; }
+  bool HasTooManyCorners() const { return this->TooManyCorners; }
+
+protected:
+  int ReadPiece(vtkXMLDataElement* piece) override
+  {
+    const bool good = this->Superclass::ReadPiece(piece) != 0 && this->IsPossible(piece, "Verts") &&
+      this->IsPossible(piece, "Lines") && this->IsPossible(piece, "Strips") &&
+      this->IsPossible(piece, "Polys");
+    return good ? 1 : 0;
+  }
+
+private:
+  bool IsPossible(vtkXMLDataElement* piece, const std::string& cells)
+  {
+    vtkIdType count = 0;
+    vtkXMLDataElement* element = piece->FindNestedElementWithName(cells.c_str());
+    vtkXMLDataElement* offsets = element
+      ? element->FindNestedElementWithNameAndAttribute("DataArray", "Name", "offsets")
+      : nullptr;
+    if (!offsets || !piece->GetScalarAttribute(("NumberOf" + cells).c_str(), count) || count <= 0)
+    {
+      return true;
+    }
+    const auto array = vtk::TakeSmartPointer(this->CreateArray(offsets));
+    auto* numbers = vtkDataArray::SafeDownCast(array);
+    if (!numbers)
+    {
+      return true;
+    }
+    numbers->SetNumberOfComponents(1);
+    numbers->SetNumberOfTuples(count);
+    numbers->Fill(0.0);
+    this->ReadArrayValues(offsets, 0, numbers, 0, count);
+    this->TooManyCorners = !(numbers->GetRange(0)[1] <= this->MostCorners);
+    return !this->TooManyCorners;
+  }
+
+  double MostCorners = 0.0;
+  bool TooManyCorners = false;
+};
+
+vtkStandardNewMacro(CheckedReader);
 
 void CheckCorners(
   const vtkIdType* ids, vtkIdType size, vtkIdType numberOfPoints, const std::string& fileName)
@@ -37,11 +92,17 @@ void CheckCorners(
 
 vtkSmartPointer<vtkPolyData> ParseXmlVtk(const std::string& bytes, const std::string& fileName)
 {
-  CheckXmlVtk(bytes, fileName);
-  vtkNew<vtkXMLPolyDataReader> reader;
+  const double mostBytes = CheckXmlVtk(bytes, fileName);
+  vtkNew<CheckedReader> reader;
+  reader->SetMostCorners(mostBytes);
   reader->ReadFromInputStringOn();
   reader->SetInputString(bytes);
   reader->Update();
+  if (reader->HasTooManyCorners())
+  {
+    throw Failure(
+      fileName + ": its cells have more corners than the file can hold", "give a complete file");
+  }
   return reader->GetOutput();
 }
 
