@@ -6,7 +6,7 @@
 #include "Core/Mesh/EnclosingSphere.h"
 #include "Core/Mesh/OrderedRings.h"
 #include "Core/Salience/FieldDerivatives.h"
-#include "Core/Salience/RingAveraging.h"
+#include "Core/Salience/SmoothingPlan.h"
 #include "Core/Salience/TensorSmoothing.h"
 #include "vtkRidgesAllocate.h"
 #include "vtkRidgesArrayNames.h"
@@ -255,11 +255,12 @@ bool Smooth(const Task& task, SmoothedArrays& out)
     vtkWarningWithObjectMacro(task.filter,
       "A scale of " << task.sigma
                     << " is out of reach on edges so short: the field was smoothed in "
-                    << plan.Steps()
+                    << plan.Sweeps().size()
                     << " steps, FitScale has what they reached (a smaller scale or a "
                     << "coarser mesh helps).");
   }
-  ridges::RingAveraging<Forms::Components> averaging(task.rings);
+  const std::vector<ridges::AveragingSweep>& sweeps = plan.Sweeps();
+  ridges::RingAveraging<Forms::Components> averaging(task.rings, sweeps.front().length > 0);
   if (!ForPoints(task.filter, count, 0.2, 0.25,
         [&averaging, &field, &usable](Id p)
         { averaging.Set(p, Forms::ToSpace(field, p), usable[p] != 0); }) ||
@@ -268,16 +269,18 @@ bool Smooth(const Task& task, SmoothedArrays& out)
   {
     return false;
   }
-  for (int step = 0; step < plan.Steps(); ++step)
+  double progress = 0.3;
+  for (const ridges::AveragingSweep& sweep : sweeps)
   {
-    const auto range = [&averaging](vtkIdType begin, vtkIdType end)
-    { averaging.Step(static_cast<Id>(begin), static_cast<Id>(end)); };
-    const double progress = 0.3 + 0.3 * step / plan.Steps();
-    if (!vtkRidgesForBatches(task.filter, count, progress, progress + 0.3 / plan.Steps(), range))
+    const auto range = [&averaging, &sweep](vtkIdType begin, vtkIdType end)
+    { averaging.Step(static_cast<Id>(begin), static_cast<Id>(end), sweep); };
+    const double next = progress + 0.3 / static_cast<double>(sweeps.size());
+    if (!vtkRidgesForBatches(task.filter, count, progress, next, range))
     {
       return false;
     }
-    averaging.Swap();
+    averaging.Swap(sweep);
+    progress = next;
   }
   return ForPoints(task.filter, count, 0.6, 0.7,
     [&averaging, &task, &plan, &out](Id p)

@@ -35,10 +35,11 @@
  * one-rings, weighted by area, until the standard deviation of these averages and of the fit
  * together is Sigma. No sign of a direction has to be chosen, and umbilics are nothing special.
  * Points in large triangles take a smaller part of each step, so that the scale is the same
- * everywhere; FitScale reports what was reached. Two steps are made at least. At the border
+ * everywhere; FitScale reports what was reached. One average is made at least. At the border
  * averages are one-sided. Invalid points take no part and stay invalid.
  * Guarantees: the same bytes for any number of threads, any SMP back end and any numbering of
- * points and cells. The time is proportional to the number of points and of steps.
+ * points and cells. The time is proportional to the number of points and to the scale over the
+ * length of edges.
  *
  * @sa vtkJetFitting vtkRidgeExtraction vtkSalientRidges
  */

@@ -7,7 +7,7 @@
 #include "Core/Mesh/PositionSample.h"
 #include "Core/Salience/FoldEvening.h"
 #include "Core/Salience/NoiseFloor.h"
-#include "Core/Salience/TensorSmoothing.h"
+#include "Core/Salience/SmoothingPlan.h"
 #include "vtkJetFitting.h"
 #include "vtkMongeSmoothing.h"
 #include "vtkRidgesArrayNames.h"

@@ -4,7 +4,7 @@
 
 #include "Core/Mesh/EnclosingSphere.h"
 #include "Core/Salience/NoiseFloor.h"
-#include "Core/Salience/TensorSmoothing.h"
+#include "Core/Salience/SmoothingPlan.h"
 #include "vtkRidgesArrayNames.h"
 #include "vtkRidgesFieldData.h"
 #include "vtkRidgesFolds.h"

@@ -8,10 +8,11 @@ namespace ridges
 {
 
 template <int Components>
-RingAveraging<Components>::RingAveraging(const OneRings& rings)
+RingAveraging<Components>::RingAveraging(const OneRings& rings, bool hasBoxes)
   : Rings_(rings)
   , Now_(static_cast<std::size_t>(Stride) * rings.Mesh().NumberOfPoints())
   , Next_(static_cast<std::size_t>(Stride) * rings.Mesh().NumberOfPoints())
+  , Sum_(hasBoxes ? static_cast<std::size_t>(Stride) * rings.Mesh().NumberOfPoints() : 0)
   , Areas_(rings.Mesh().NumberOfPoints())
   , Own_(rings.Mesh().NumberOfPoints())
   , Ring_(rings.Mesh().NumberOfPoints())
@@ -44,8 +45,9 @@ void RingAveraging<Components>::Prepare(Id p, double share)
 }
 
 template <int Components>
-void RingAveraging<Components>::Step(Id begin, Id end)
+void RingAveraging<Components>::Step(Id begin, Id end, const AveragingSweep& sweep)
 {
+  const double whole = sweep.step == sweep.length ? 1.0 / (2.0 * sweep.length + 1.0) : 1.0;
   for (Id p = begin; p < end; ++p)
   {
     const double* own = this->Now_.data() + static_cast<std::size_t>(Stride) * p;
@@ -64,18 +66,34 @@ void RingAveraging<Components>::Step(Id begin, Id end)
     }
     const double stays = this->Own_[p];
     const double taken = this->Ring_[p];
-    double* next = this->Next_.data() + static_cast<std::size_t>(Stride) * p;
+    const std::size_t at = static_cast<std::size_t>(Stride) * p;
+    double* next = this->Next_.data() + at;
+    if (sweep.step == 0)
+    {
+      for (int i = 0; i < Components; ++i)
+      {
+        next[i] = stays * own[i] + taken * sum[i];
+      }
+      continue;
+    }
+    double* box = this->Sum_.data() + at;
     for (int i = 0; i < Components; ++i)
     {
-      next[i] = stays * own[i] + taken * sum[i];
+      const double average = stays * own[i] + taken * sum[i];
+      // T_(k+1)(A) x = 2 A T_k(A) x - T_(k-1)(A) x.
+      const double chebyshev = sweep.step > 1 ? 2.0 * average - next[i] : average;
+      const double soFar = sweep.step > 1 ? box[i] : own[i];
+      next[i] = chebyshev;
+      box[i] = whole * (soFar + 2.0 * chebyshev);
     }
   }
 }
 
 template <int Components>
-void RingAveraging<Components>::Swap()
+void RingAveraging<Components>::Swap(const AveragingSweep& sweep)
 {
-  std::swap(this->Now_, this->Next_);
+  const bool endsBox = sweep.step > 0 && sweep.step == sweep.length;
+  std::swap(this->Now_, endsBox ? this->Sum_ : this->Next_);
 }
 
 template <int Components>

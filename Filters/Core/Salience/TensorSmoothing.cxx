@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 
 namespace ridges
 {
@@ -202,80 +201,6 @@ bool FourthOrderFromSpace(const FourthOrderValues& values, MongeForm& form)
   TakeForm<3>(values.data() + 9, frame, form.b.data());
   TakeForm<4>(values.data() + 19, frame, form.c.data());
   return true;
-}
-
-SmoothingPlan::SmoothingPlan(const OneRings& rings, const double* fitScale, int steps)
-  : Rings_(rings)
-  , FitScale_(fitScale)
-  , Steps_(steps)
-  , IsEven_(true)
-{
-}
-
-SmoothingPlan::SmoothingPlan(const OneRings& rings, const double* fitScale, double sigma)
-  : Rings_(rings)
-  , FitScale_(fitScale)
-  , Variance_(sigma * sigma)
-{
-  std::vector<double> steps;
-  for (Id p = 0; p < rings.Mesh().NumberOfPoints(); ++p)
-  {
-    if (rings.Around(p).size() > 0)
-    {
-      steps.push_back(this->StepsFor(p));
-    }
-  }
-  if (!steps.empty())
-  {
-    // A few tiny triangles must not make all others wait for them.
-    constexpr double part = 0.95;
-    const auto which =
-      steps.begin() + static_cast<std::ptrdiff_t>(part * static_cast<double>(steps.size() - 1));
-    std::nth_element(steps.begin(), which, steps.end());
-    // So written that what is not finite is cut as well.
-    this->IsCut_ = !(*which <= MostSteps);
-    this->Steps_ =
-      this->IsCut_ ? MostSteps : std::max(LeastSteps, static_cast<int>(std::ceil(*which)));
-  }
-}
-
-double SmoothingPlan::FitVariance(Id p) const
-{
-  const double sigma = this->FitScale_ ? SigmaPerRadius * this->FitScale_[p] : 0.0;
-  return sigma * sigma;
-}
-
-double SmoothingPlan::StepsFor(Id p) const
-{
-  const double missing = this->Variance_ - this->FitVariance(p);
-  const double perStep = this->Rings_.Variance(p);
-  return missing > 0.0 && perStep > 0.0 ? missing / perStep : 0.0;
-}
-
-double SmoothingPlan::Share(Id p) const
-{
-  return this->IsEven_
-    ? 1.0
-    : std::min(1.0, std::max<double>(LeastSteps, this->StepsFor(p)) / this->Steps_);
-}
-
-double SmoothingPlan::Sigma(Id p) const
-{
-  return std::sqrt(this->FitVariance(p) + this->Steps_ * this->Share(p) * this->Rings_.Variance(p));
-}
-
-double SmoothingPlan::MedianSigma(const double* fitScale, Id numberOfPoints)
-{
-  std::vector<double> scales;
-  std::copy_if(fitScale, fitScale + (fitScale ? numberOfPoints : 0), std::back_inserter(scales),
-    [](double value) { return std::isfinite(value); });
-  if (scales.empty())
-  {
-    return 0.0;
-  }
-  const auto middle = scales.begin() + static_cast<std::ptrdiff_t>(scales.size() / 2);
-  std::nth_element(scales.begin(), middle, scales.end());
-  return SigmaPerRadius * *middle;
 }
 
 } // namespace ridges

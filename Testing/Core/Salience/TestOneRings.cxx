@@ -5,6 +5,7 @@
 
 #include "Salience/OneRings.h"
 #include "Salience/RingAveraging.h"
+#include "Salience/SmoothingPlan.h"
 #include "Salience/TensorSmoothing.h"
 
 #include <gtest/gtest.h>
@@ -13,6 +14,7 @@
 #include <cmath>
 #include <memory>
 #include <numeric>
+#include <vector>
 
 namespace
 {
@@ -64,13 +66,14 @@ Mesh Grid(int n)
 }
 
 template <int Components>
-void RunSteps(RingAveraging<Components>& averaging, Id count, int steps)
+void Sweep(
+  RingAveraging<Components>& averaging, Id count, const std::vector<AveragingSweep>& sweeps)
 {
-  for (int i = 0; i < steps; ++i)
+  for (const AveragingSweep& sweep : sweeps)
   {
-    averaging.Step(0, count / 2);
-    averaging.Step(count / 2, count);
-    averaging.Swap();
+    averaging.Step(0, count / 2, sweep);
+    averaging.Step(count / 2, count, sweep);
+    averaging.Swap(sweep);
   }
 }
 
@@ -148,7 +151,7 @@ TEST(RingAveraging, KeepsConstants)
   {
     averaging.Prepare(p, p % 3 == 0 ? 0.3 : 1.0);
   }
-  RunSteps(averaging, count, 20);
+  Sweep(averaging, count, std::vector<AveragingSweep>(20));
   for (Id p = 0; p < count; ++p)
   {
     RingAveraging<9>::Values values;
@@ -174,7 +177,7 @@ TEST(RingAveraging, LeavesOutPointsThatDoNotCount)
   {
     averaging.Prepare(p, 1.0);
   }
-  RunSteps(averaging, count, 3);
+  Sweep(averaging, count, std::vector<AveragingSweep>(3));
   for (Id p = 0; p < count; ++p)
   {
     RingAveraging<9>::Values values;
@@ -188,14 +191,14 @@ TEST(RingAveraging, LeavesOutPointsThatDoNotCount)
 // in the smallest, at most the twentieth part of all, reach a little less of the scale.
 TEST(SmoothingPlan, ReachesTheScaleWhateverTheTriangles)
 {
-  for (const double sigma : { 1.5, 3.0 })
+  // Plain averages for the first, boxes for the others.
+  for (const double sigma : { 0.9, 1.5, 3.0 })
   {
     // The mesh ends farther away than the Gaussian reaches.
     const MeshWithRings made(GraphPatch([](double, double) { return 0.0; }, 16.0, 64, 0.2));
     const TriangleMesh& mesh = made.Triangles();
     const SmoothingPlan plan(made.rings, nullptr, sigma);
-    EXPECT_GT(plan.Steps(), SmoothingPlan::LeastSteps);
-    RingAveraging<9> averaging(made.rings);
+    RingAveraging<9> averaging(made.rings, true);
     for (Id p = 0; p < mesh.NumberOfPoints(); ++p)
     {
       averaging.Set(p, { mesh.Point(p)[0] * mesh.Point(p)[0] });
@@ -204,7 +207,7 @@ TEST(SmoothingPlan, ReachesTheScaleWhateverTheTriangles)
     {
       averaging.Prepare(p, plan.Share(p));
     }
-    RunSteps(averaging, mesh.NumberOfPoints(), plan.Steps());
+    Sweep(averaging, mesh.NumberOfPoints(), plan.Sweeps());
     double excess = 0.0;
     int inside = 0;
     for (Id p = 0; p < mesh.NumberOfPoints(); ++p)
@@ -229,12 +232,53 @@ TEST(SmoothingPlan, CountsWhatTheFitHasSmoothed)
   const std::vector<double> radii(made.Triangles().NumberOfPoints(), 5.0); // 0.4 of it: 2
   const SmoothingPlan alone(made.rings, nullptr, 2.5);
   const SmoothingPlan plan(made.rings, radii.data(), 2.5);
-  EXPECT_LT(plan.Steps(), alone.Steps());
+  EXPECT_LT(plan.Sweeps().size(), alone.Sweeps().size());
   EXPECT_NEAR(plan.Sigma(465), 2.5, 0.01);
-  // Two steps are made at least, and reported.
+  // One average is made at least, and reported.
   const SmoothingPlan coarse(made.rings, radii.data(), 0.1);
-  EXPECT_EQ(coarse.Steps(), SmoothingPlan::LeastSteps);
+  EXPECT_EQ(coarse.Sweeps().size(), 1u);
   EXPECT_GT(coarse.Sigma(465), 2.0);
+}
+
+TEST(SmoothingPlan, BoxesAreAGaussianAndTakeFewSweeps)
+{
+  // A wave along x is damped by exp(-sigma^2 w^2 / 2), and what alternates from point to point
+  // disappears. The mesh ends farther away than boxes reach.
+  const double sigma = 5.0;
+  const int size = 120;
+  const MeshWithRings made(Grid(size));
+  const TriangleMesh& mesh = made.Triangles();
+  const SmoothingPlan plan(made.rings, nullptr, sigma);
+  const double averages = sigma * sigma / made.rings.Variance(mesh.NumberOfPoints() / 2);
+  EXPECT_LT(static_cast<double>(plan.Sweeps().size()), 0.6 * averages);
+  for (const double w : { 0.1, 0.2, 0.4 })
+  {
+    RingAveraging<9> averaging(made.rings, true);
+    for (Id p = 0; p < mesh.NumberOfPoints(); ++p)
+    {
+      const Eigen::Vector3d x = mesh.Point(p);
+      const auto column = static_cast<int>(std::lround(x[0] + 0.5 * size));
+      averaging.Set(p, { std::cos(w * x[0]), column % 2 == 0 ? 1.0 : -1.0 });
+    }
+    for (Id p = 0; p < mesh.NumberOfPoints(); ++p)
+    {
+      averaging.Prepare(p, plan.Share(p));
+    }
+    Sweep(averaging, mesh.NumberOfPoints(), plan.Sweeps());
+    for (Id p = 0; p < mesh.NumberOfPoints(); ++p)
+    {
+      const Eigen::Vector3d x = mesh.Point(p);
+      if (x.cwiseAbs().maxCoeff() < 10.0)
+      {
+        RingAveraging<9>::Values values;
+        averaging.Get(p, values);
+        const double reached = plan.Sigma(p);
+        EXPECT_NEAR(
+          values[0], std::exp(-0.5 * reached * reached * w * w) * std::cos(w * x[0]), 0.02);
+        EXPECT_NEAR(values[1], 0.0, 1e-4);
+      }
+    }
+  }
 }
 
 //------------------------------------------------------------------------------
