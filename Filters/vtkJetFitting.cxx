@@ -42,6 +42,9 @@ static_assert(static_cast<int>(vtkJetFitting::FIT_BOUNDARY) == ridges::FitBounda
 namespace
 {
 
+/// Where none is set, and none is chosen.
+constexpr int DefaultDegree = 4;
+
 /// The properties, as far as they are about a single fit.
 vtkRidgesFitPoints::Settings SettingsOf(vtkJetFitting* filter)
 {
@@ -49,7 +52,7 @@ vtkRidgesFitPoints::Settings SettingsOf(vtkJetFitting* filter)
   constexpr Kind kinds[] = { Kind::PointCount, Kind::Rings, Kind::Radius,
     Kind::RingsAndPointCount };
   vtkRidgesFitPoints::Settings settings;
-  settings.degree = filter->GetDegree();
+  settings.degree = filter->GetDegree() > 0 ? filter->GetDegree() : DefaultDegree;
   settings.weighting = filter->GetWeighting() == vtkJetFitting::GAUSSIAN
     ? ridges::Weighting::Gaussian
     : ridges::Weighting::Uniform;
@@ -192,21 +195,21 @@ int vtkJetFitting::RequestData(
   const ridges::TriangleMesh& triangles = mesh.GetTriangles();
   const vtkIdType count = mesh.GetPolyData()->GetNumberOfPoints();
   const bool isAutomatic = this->Neighborhood == AUTOMATIC;
-  vtkRidgesMongeOutput arrays(count,
-    isAutomatic ? this->MongeOrder : std::min(this->MongeOrder, this->Degree),
-    this->StandardErrors);
+  vtkRidgesFitPoints::Settings settings = SettingsOf(this);
+  const int order = isAutomatic && this->Degree == 0 ? this->MongeOrder
+                                                     : std::min(this->MongeOrder, settings.degree);
+  vtkRidgesMongeOutput arrays(count, order, this->StandardErrors);
   ridges::OrderedRings rings(triangles);
   BuildRings buildRings{ rings };
   if (!vtkRidgesForBatches(this, count, 0.1, 0.2, buildRings))
   {
     return 1;
   }
-  vtkRidgesFitPoints::Settings settings = SettingsOf(this);
   ridges::JetChoice choice;
   if (isAutomatic)
   {
-    const int order = std::clamp(this->MongeOrder, 2, 3);
-    if (!vtkRidgesSelectJets(this, triangles, rings, order, 0.2, 0.3, choice))
+    const ridges::JetSelection selection(std::clamp(order, 2, 3), this->Degree);
+    if (!vtkRidgesSelectJets(this, triangles, rings, selection, 0.2, 0.3, choice))
     {
       return 1;
     }
@@ -233,7 +236,7 @@ int vtkJetFitting::RequestData(
   arrays.AddTo(output->GetPointData());
   vtkRidgesUmbilicMarks::RemoveFrom(output);
   // Without P1 and P2 there are no types to flicker.
-  if (isAutomatic && choice.numberOfAverages > 0 && this->MongeOrder == 4)
+  if (isAutomatic && choice.numberOfAverages > 0 && order == 4)
   {
     vtkRidgesAverageJets(mesh, output, choice);
   }
@@ -249,7 +252,15 @@ int vtkJetFitting::RequestData(
 void vtkJetFitting::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "Degree: " << this->Degree << "\n";
+  os << indent << "Degree: ";
+  if (this->Degree > 0)
+  {
+    os << this->Degree << "\n";
+  }
+  else
+  {
+    os << "Automatic\n";
+  }
   os << indent << "MongeOrder: " << this->MongeOrder << "\n";
   os << indent << "Neighborhood: " << this->GetNeighborhoodAsString() << "\n";
   os << indent << "MinimumNumberOfPoints: " << this->MinimumNumberOfPoints << "\n";

@@ -94,16 +94,18 @@ public:
 
   ///@{
   /**
-   * Degree of the polynomial, 1 to 8; 6 and 8 are more exact and slower. Default 4: ridges need c.
+   * Degree of the polynomial, 1 to 8; 6 and 8 are more exact on clean meshes, and slower. Default
+   * 0: chosen with Neighborhood AUTOMATIC, else 4, as ridges need c.
    */
-  vtkSetClampMacro(Degree, int, 1, 8);
+  vtkSetClampMacro(Degree, int, 0, 8);
   vtkGetMacro(Degree, int);
   ///@}
 
   ///@{
   /**
    * Highest order of the Monge form in the output, 1 to 4: 1 normals, 2 curvatures and
-   * directions, 3 ThirdOrder, 4 FourthOrder, P1, P2; at most Degree. Default 4: ridges need all.
+   * directions, 3 ThirdOrder, 4 FourthOrder, P1, P2; at most the degree. Default 4: ridges need
+   * all.
    */
   vtkSetClampMacro(MongeOrder, int, 1, 4);
   vtkGetMacro(MongeOrder, int);
@@ -113,11 +115,11 @@ public:
   /**
    * How a neighbourhood is chosen. BY_POINT_COUNT: whole rings until there are
    * MinimumNumberOfPoints points and the fit is well conditioned. BY_RINGS: exactly NumberOfRings
-   * rings. BY_RADIUS: what is connected inside the ball of a Radius. AUTOMATIC: the degree, 4 to 8,
-   * and the rings, 2 to 24, with the least estimated error of ThirdOrder, or, with MongeOrder 2, of
-   * the curvatures from degree 2 on; Degree is not used. Where there is noise, two averages over
+   * rings. BY_RADIUS: what is connected inside the ball of a Radius. AUTOMATIC: the degree, 4 to 8
+   * if none is set, and the rings, 2 to 24, with the least estimated error of ThirdOrder, or, with
+   * MongeOrder 2, of the curvatures from degree 2 on. Where there is noise, two averages over
    * one-rings follow (vtkMongeSmoothing), and the standard errors are those before. Default
-   * BY_POINT_COUNT: it follows the mesh's density and is right at borders.
+   * AUTOMATIC: no other choice suits both exact data and noise.
    */
   vtkSetClampMacro(Neighborhood, int, BY_POINT_COUNT, AUTOMATIC);
   vtkGetMacro(Neighborhood, int);
@@ -184,9 +186,9 @@ protected:
   ~vtkJetFitting() override = default;
   int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
-  int Degree = 4;
+  int Degree = 0;
   int MongeOrder = 4;
-  int Neighborhood = BY_POINT_COUNT;
+  int Neighborhood = AUTOMATIC;
   int MinimumNumberOfPoints = 18;
   int NumberOfRings = 3;
   double Radius = 0.0;

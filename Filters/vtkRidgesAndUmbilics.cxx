@@ -137,6 +137,7 @@ void vtkRidgesAndUmbilics::vtkInternals::ForwardMessage(vtkObject*, unsigned lon
     return this->Internals->stage->Get##name();                                                    \
   }
 
+vtkRidgesStagePropertyMacro(jets, Degree, int);
 vtkRidgesStagePropertyMacro(jets, Neighborhood, int);
 vtkRidgesStagePropertyMacro(jets, MinimumNumberOfPoints, int);
 vtkRidgesStagePropertyMacro(jets, NumberOfRings, int);

@@ -6,7 +6,7 @@
  *
  * Runs vtkJetFitting, vtkUmbilicDetection, vtkRidgeExtraction and vtkRidgeSharpnessFilter in a row
  * and has those of their properties that matter for ridges; each is documented in its own class.
- * Fits are of degree 4, and Monge forms of order 4, as ridges and their types need them.
+ * Monge forms are of order 4, as ridges and their types need it.
  *
  * Input: a triangle mesh; polygons and strips are triangulated, verts and lines are ignored.
  *
@@ -56,9 +56,10 @@ public:
 
   ///@{
   /**
-   * How neighbourhoods are chosen, one of vtkJetFitting::NeighborhoodType, and how their points are
-   * weighted, one of vtkJetFitting::WeightingType. See vtkJetFitting.
+   * The degree of fits, how neighbourhoods are chosen, one of vtkJetFitting::NeighborhoodType, and
+   * how their points are weighted, one of vtkJetFitting::WeightingType. See vtkJetFitting.
    */
+  vtkRidgesStagePropertyMacro(Degree, int);
   vtkRidgesStagePropertyMacro(Neighborhood, int);
   void SetNeighborhoodToPointCount() { this->SetNeighborhood(vtkJetFitting::BY_POINT_COUNT); }
   void SetNeighborhoodToRings() { this->SetNeighborhood(vtkJetFitting::BY_RINGS); }

@@ -95,6 +95,7 @@ public:
     {
       field->jets->SetDegree(2);
       field->jets->SetMongeOrder(2);
+      field->jets->SetNeighborhoodToPointCount();
     }
     for (vtkPolyDataAlgorithm* stage :
       std::array<vtkPolyDataAlgorithm*, 5>{ this->cleanField.jets, this->cleanField.smoothing,

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRidgesJetSelection.h"
 
-#include "Core/Mesh/PositionSample.h"
+#include "Core/Mesh/ShapeSample.h"
 #include "vtkRidgesArrayNames.h"
 #include "vtkRidgesBatches.h"
 #include "vtkRidgesFieldData.h"
@@ -15,8 +15,11 @@
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
+#include "vtkStringArray.h"
 
 #include <memory>
+#include <sstream>
+#include <string>
 #include <vector>
 
 namespace names = vtkRidgesArrayNames;
@@ -54,15 +57,37 @@ void AddOne(vtkFieldData* field, const char* name, Value value)
   field->AddArray(array);
 }
 
+/// For a person, in one line.
+std::string TextOf(const ridges::JetChoice& choice)
+{
+  constexpr double hardlyAny = 1e-5;
+  std::ostringstream text;
+  text.precision(2);
+  text << "degree " << choice.degree << " on " << choice.numberOfRings << " rings";
+  if (choice.numberOfAverages > 0)
+  {
+    text << ", averaged " << choice.numberOfAverages << " times";
+  }
+  if (choice.noise > hardlyAny * choice.edge)
+  {
+    text << ", for noise of about " << 100.0 * choice.noise / choice.edge << " % of an edge";
+  }
+  else
+  {
+    text << ", for hardly any noise";
+  }
+  return text.str();
+}
+
 } // namespace
 
 bool vtkRidgesSelectJets(vtkAlgorithm* filter, const ridges::TriangleMesh& mesh,
-  const ridges::OrderedRings& rings, int order, double from, double to, ridges::JetChoice& choice)
+  const ridges::OrderedRings& rings, ridges::JetSelection selection, double from, double to,
+  ridges::JetChoice& choice)
 {
   constexpr double wantedPoints = 300.0;
-  const std::vector<ridges::Id> sample = ridges::PositionSample(mesh, wantedPoints);
+  const std::vector<ridges::Id> sample = ridges::ShapeSample(mesh, wantedPoints);
   std::vector<ridges::JetTrial> trials(sample.size());
-  ridges::JetSelection selection(order);
   while (!sample.empty() && selection.NextRings() > 0)
   {
     // How many numbers of rings will be tried is not known.
@@ -94,31 +119,22 @@ void vtkRidgesAverageJets(
   smoothing->Update();
   fitted->ShallowCopy(smoothing->GetOutput());
 
-  // The smoothing does not know that its input is a fit, of which these are true still, or nearly.
+  // The smoothing does not know that its input is a fit, of which these are true still, or too
+  // large rather than too small.
   vtkPointData* arrays = fitted->GetPointData();
   vtkPointData* fit = before->GetPointData();
-  for (const char* name : { names::FitScale, names::MaximumCurvatureError,
+  for (const char* name : { names::FitScale, names::FitNoiseGain, names::MaximumCurvatureError,
          names::MinimumCurvatureError, names::ThirdOrderError, names::P1Error, names::P2Error })
   {
     arrays->AddArray(fit->GetAbstractArray(name));
   }
-  const double factor = choice.NoiseLeft();
-  vtkDataArray* gain = fit->GetArray(names::FitNoiseGain);
-  vtkNew<vtkDoubleArray> left;
-  left->SetName(names::FitNoiseGain);
-  left->SetNumberOfTuples(gain->GetNumberOfTuples());
-  for (vtkIdType p = 0; p < left->GetNumberOfTuples(); ++p)
-  {
-    left->SetValue(p, factor * gain->GetComponent(p, 0));
-  }
-  arrays->AddArray(left);
 }
 
 void vtkRidgesStoreJetChoice(vtkPolyData* mesh, const ridges::JetChoice* choice)
 {
   vtkFieldData* field = vtkRidgesOwnFieldData(mesh);
   for (const char* name : { names::SelectedDegree, names::SelectedNumberOfRings,
-         names::SelectedNumberOfAverages, names::EstimatedNoise })
+         names::SelectedNumberOfAverages, names::EstimatedNoise, names::SelectedFit })
   {
     field->RemoveArray(name);
   }
@@ -128,5 +144,6 @@ void vtkRidgesStoreJetChoice(vtkPolyData* mesh, const ridges::JetChoice* choice)
     AddOne<vtkIntArray>(field, names::SelectedNumberOfRings, choice->numberOfRings);
     AddOne<vtkIntArray>(field, names::SelectedNumberOfAverages, choice->numberOfAverages);
     AddOne<vtkDoubleArray>(field, names::EstimatedNoise, choice->noise);
+    AddOne<vtkStringArray>(field, names::SelectedFit, TextOf(*choice));
   }
 }

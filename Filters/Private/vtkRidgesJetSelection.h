@@ -9,10 +9,11 @@ class vtkAlgorithm;
 class vtkPolyData;
 class vtkRidgesMesh;
 
-/// The degree and the rings with which derivatives of order 2 or 3 have the least error, by trials
-/// on a sample of the points. False if the user aborted.
+/// The degree and the rings that a selection chooses by trials on a sample of the points. False if
+/// the user aborted.
 bool vtkRidgesSelectJets(vtkAlgorithm* filter, const ridges::TriangleMesh& mesh,
-  const ridges::OrderedRings& rings, int order, double from, double to, ridges::JetChoice& choice);
+  const ridges::OrderedRings& rings, ridges::JetSelection selection, double from, double to,
+  ridges::JetChoice& choice);
 
 /// Replaces the fitted arrays by their averages. `mesh` is that of `fitted`.
 void vtkRidgesAverageJets(

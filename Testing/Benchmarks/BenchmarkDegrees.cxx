@@ -38,6 +38,7 @@ Times TimesOfFit(vtkPolyData* input, int degree, bool weighted, bool errors)
   copy->ShallowCopy(input);
   vtkNew<vtkJetFitting> jets;
   jets->SetInputData(copy);
+  jets->SetNeighborhoodToPointCount();
   jets->SetDegree(degree);
   jets->SetWeighting(weighted ? vtkJetFitting::GAUSSIAN : vtkJetFitting::UNIFORM);
   jets->SetStandardErrors(errors);

@@ -161,7 +161,7 @@ vtkSmartPointer<vtkPolyData> MakePolyData(const std::vector<std::array<double, 3
   return data;
 }
 
-Outputs RunFilters(vtkPolyData* mesh)
+Outputs RunFilters(vtkPolyData* mesh, int neighborhood)
 {
   vtkNew<vtkJetFitting> jets;
   vtkNew<vtkUmbilicDetection> umbilics;
@@ -169,6 +169,7 @@ Outputs RunFilters(vtkPolyData* mesh)
   const MessageRecorder fromJets(jets);
   const MessageRecorder fromUmbilics(umbilics);
   const MessageRecorder fromRidges(ridges);
+  jets->SetNeighborhood(neighborhood);
   jets->SetInputData(mesh);
   umbilics->SetInputConnection(jets->GetOutputPort());
   ridges->SetInputConnection(umbilics->GetOutputPort());

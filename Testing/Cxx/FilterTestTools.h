@@ -9,6 +9,7 @@
 #include "TestMeshes.h"
 
 #include "vtkDataSetAttributes.h"
+#include "vtkJetFitting.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 
@@ -46,7 +47,7 @@ struct Outputs
   std::string warnings;
   std::string errors;
 };
-Outputs RunFilters(vtkPolyData* mesh);
+Outputs RunFilters(vtkPolyData* mesh, int neighborhood = vtkJetFitting::AUTOMATIC);
 
 /// A component of a data array that has to be there.
 double Value(vtkFieldData* data, const char* name, vtkIdType tuple, int component = 0);

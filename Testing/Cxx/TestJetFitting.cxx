@@ -86,6 +86,7 @@ vtkSmartPointer<vtkPolyData> Fit(vtkJetFitting* jets, vtkPolyData* mesh)
 vtkSmartPointer<vtkPolyData> Fit(vtkPolyData* mesh)
 {
   vtkNew<vtkJetFitting> jets;
+  jets->SetNeighborhoodToPointCount();
   return Fit(jets, mesh);
 }
 
@@ -131,6 +132,7 @@ TEST(JetFitting, ArraysOutliveEachOtherAndTheFilter)
   std::vector<double> expected;
   {
     vtkNew<vtkJetFitting> jets;
+    jets->SetNeighborhoodToPointCount();
     jets->SetInputData(EllipsoidData(110));
     jets->Update();
     vtkPointData* data = jets->GetOutput()->GetPointData();
@@ -217,6 +219,7 @@ TEST(JetFitting, DegreeAndMongeOrderDecideWhichArraysThereAre)
     for (int mongeOrder = 1; mongeOrder <= 4; ++mongeOrder)
     {
       vtkNew<vtkJetFitting> jets;
+      jets->SetNeighborhoodToPointCount();
       jets->SetDegree(degree);
       jets->SetMongeOrder(mongeOrder);
       const auto fitted = Fit(jets, mesh);
@@ -253,14 +256,14 @@ TEST(JetFitting, ArraysOfALaterStageDoNotSurviveASecondFitOfLowerOrder)
 TEST(JetFitting, SettersClamp)
 {
   vtkNew<vtkJetFitting> jets;
-  EXPECT_EQ(jets->GetDegree(), 4);
+  EXPECT_EQ(jets->GetDegree(), 0);
   EXPECT_EQ(jets->GetMongeOrder(), 4);
-  EXPECT_EQ(jets->GetNeighborhood(), vtkJetFitting::BY_POINT_COUNT);
+  EXPECT_EQ(jets->GetNeighborhood(), vtkJetFitting::AUTOMATIC);
   EXPECT_EQ(jets->GetMinimumNumberOfPoints(), 18);
   jets->SetDegree(9);
   EXPECT_EQ(jets->GetDegree(), 8);
-  jets->SetDegree(0);
-  EXPECT_EQ(jets->GetDegree(), 1);
+  jets->SetDegree(-1);
+  EXPECT_EQ(jets->GetDegree(), 0);
   jets->SetMongeOrder(5);
   EXPECT_EQ(jets->GetMongeOrder(), 4);
   jets->SetMongeOrder(-1);
@@ -290,7 +293,7 @@ TEST(JetFitting, PrintsEveryProperty)
   jets->SetNeighborhoodToRings();
   std::ostringstream text;
   jets->Print(text);
-  for (const char* line : { "Degree: 4", "MongeOrder: 4", "Neighborhood: Rings",
+  for (const char* line : { "Degree: Automatic", "MongeOrder: 4", "Neighborhood: Rings",
          "MinimumNumberOfPoints: 41", "NumberOfRings: 17", "Radius: 0.625" })
   {
     EXPECT_NE(text.str().find(line), std::string::npos) << line;
@@ -321,6 +324,7 @@ TEST(JetFitting, EveryKindOfNeighborhoodFits)
 TEST(JetFitting, UsesMorePointsThanCoefficients)
 {
   vtkNew<vtkJetFitting> jets;
+  jets->SetNeighborhoodToPointCount();
   jets->SetMinimumNumberOfPoints(3); // raised to the 15 coefficients of degree 4
   const auto fitted = Fit(jets, EllipsoidData(8));
   for (vtkIdType p = 0; p < fitted->GetNumberOfPoints(); ++p)

@@ -4,10 +4,12 @@
 
 #include "FilterTestTools.h"
 
+#include "vtkFieldData.h"
 #include "vtkJetFitting.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
 #include "vtkRidgesArrayNames.h"
+#include "vtkStringArray.h"
 
 #include <gtest/gtest.h>
 
@@ -16,6 +18,7 @@
 #include <cmath>
 #include <cstdio>
 #include <random>
+#include <string>
 
 using namespace ridges::testing;
 namespace names = vtkRidgesArrayNames;
@@ -28,6 +31,7 @@ using Eigen::Vector3d;
 vtkSmartPointer<vtkPolyData> Fit(vtkPolyData* mesh, int degree)
 {
   vtkNew<vtkJetFitting> jets;
+  jets->SetNeighborhoodToPointCount();
   jets->SetDegree(degree);
   jets->SetInputData(mesh);
   jets->Update();
@@ -193,6 +197,29 @@ TEST(JetFittingDegrees, TakeMorePointsThanCoefficients)
       // Well below what takes another ring, from 2000 on.
       ASSERT_LT(Value(fitted->GetPointData(), names::FitConditionNumber, p), 1000.0) << degree;
     }
+  }
+}
+
+//------------------------------------------------------------------------------
+// A degree that is set is taken, on rings that suit it.
+TEST(JetFittingDegrees, AutomaticNeighborhoodsTakeTheDegreeThatIsSet)
+{
+  const auto mesh = EllipsoidData(20);
+  for (int degree = 1; degree <= 8; ++degree)
+  {
+    vtkNew<vtkJetFitting> jets;
+    jets->SetDegree(degree);
+    jets->SetInputData(mesh);
+    jets->Update();
+    vtkFieldData* field = jets->GetOutput()->GetFieldData();
+    EXPECT_EQ(field->GetArray(names::SelectedDegree)->GetTuple1(0), degree);
+    EXPECT_GE(2.0 * field->GetArray(names::SelectedNumberOfRings)->GetTuple1(0), degree);
+    EXPECT_LE(field->GetArray(names::SelectedNumberOfRings)->GetTuple1(0), 6.0);
+    EXPECT_EQ(jets->GetOutput()->GetPointData()->HasArray(names::ThirdOrder), degree >= 3);
+    EXPECT_EQ(jets->GetOutput()->GetPointData()->HasArray(names::FourthOrder), degree >= 4);
+    const std::string text =
+      vtkStringArray::SafeDownCast(field->GetAbstractArray(names::SelectedFit))->GetValue(0);
+    EXPECT_EQ(text.find("degree " + std::to_string(degree) + " on "), 0u) << text;
   }
 }
 

@@ -110,7 +110,6 @@ TEST(JetFittingInput, IsNotModified)
   EXPECT_EQ(mesh->GetPointData()->GetNumberOfArrays(), 0);
   EXPECT_EQ(mesh->GetPointData()->GetNormals(), nullptr);
   EXPECT_EQ(mesh->GetFieldData()->GetNumberOfArrays(), 0);
-  EXPECT_EQ(outputs.fitted->GetFieldData()->GetNumberOfArrays(), 0);
   EXPECT_FALSE(outputs.fitted->GetCellData()->HasArray(names::UmbilicPatch));
   EXPECT_EQ(Value(outputs.marked->GetCellData(), "Own", 0), 7.0);
 }
@@ -120,7 +119,7 @@ TEST(JetFittingInput, RemovesMarksOfAnEarlierUmbilicDetection)
   const Outputs first = RunFilters(EllipsoidData(6));
   ASSERT_GT(first.marked->GetFieldData()->GetNumberOfArrays(), 0);
   ASSERT_GT(first.marked->GetCellData()->GetNumberOfArrays(), 0);
-  const Outputs again = RunFilters(first.marked);
+  const Outputs again = RunFilters(first.marked, vtkJetFitting::BY_POINT_COUNT);
   EXPECT_EQ(again.fitted->GetFieldData()->GetNumberOfArrays(), 0);
   EXPECT_EQ(again.fitted->GetCellData()->GetNumberOfArrays(), 0);
 }

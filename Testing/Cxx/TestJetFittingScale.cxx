@@ -106,8 +106,7 @@ TEST(JetFittingScale, AutomaticFitsWhatItSays)
       static_cast<int>(Value(automatic->GetFieldData(), names::SelectedNumberOfAverages, 0));
     if (averages > 0)
     {
-      // An average leaves less of the noise.
-      EXPECT_LT(Value(automatic->GetPointData(), names::FitNoiseGain, 7),
+      EXPECT_EQ(Value(automatic->GetPointData(), names::FitNoiseGain, 7),
         Value(expected->GetPointData(), names::FitNoiseGain, 7));
       vtkNew<vtkMongeSmoothing> smoothing;
       smoothing->SetMethodToAllOrders();
@@ -120,7 +119,7 @@ TEST(JetFittingScale, AutomaticFitsWhatItSays)
       expected = smoothing->GetOutput();
     }
     for (const char* name : { names::SelectedDegree, names::SelectedNumberOfRings,
-           names::SelectedNumberOfAverages, names::EstimatedNoise })
+           names::SelectedNumberOfAverages, names::EstimatedNoise, names::SelectedFit })
     {
       automatic->GetFieldData()->RemoveArray(name);
     }

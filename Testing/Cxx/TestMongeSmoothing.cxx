@@ -32,6 +32,7 @@ namespace
 vtkSmartPointer<vtkPolyData> Fit(vtkPolyData* mesh, int degree = 2)
 {
   vtkNew<vtkJetFitting> jets;
+  jets->SetNeighborhoodToPointCount();
   jets->SetDegree(degree);
   jets->SetMongeOrder(degree);
   jets->SetInputData(mesh);

@@ -177,8 +177,10 @@ TEST(PrincipalFoliationFilter, LinesLieOnTheMeshOutsideOfPatches)
   EXPECT_GT(countInPatches(through), 20);
   // Without patches on the mesh it is the same as with them passed over, but for the field data
   // that VTK passes on.
+  const auto without = LinesOf(outputs.fitted);
   through->GetFieldData()->Initialize();
-  EXPECT_TRUE(BytesOf(LinesOf(outputs.fitted)) == BytesOf(through));
+  without->GetFieldData()->Initialize();
+  EXPECT_TRUE(BytesOf(without) == BytesOf(through));
 }
 
 TEST(PrincipalFoliationFilter, NeedsNeitherThirdOrderNorStatus)

@@ -160,6 +160,7 @@ TEST(RidgesAndUmbilics, ForwardsEveryProperty)
       filter->Set##name(value);                                                                    \
       EXPECT_EQ(filter->Get##name(), value) << #name;                                              \
     })
+  EXPECT_FORWARDED(jets, Degree, 6);
   EXPECT_FORWARDED(jets, Neighborhood, vtkJetFitting::BY_RINGS);
   EXPECT_FORWARDED(jets, MinimumNumberOfPoints, 40);
   EXPECT_FORWARDED(jets, Weighting, vtkJetFitting::GAUSSIAN);
@@ -221,6 +222,7 @@ TEST(RidgesAndUmbilics, HasTheDefaultsOfItsStages)
 {
   vtkNew<vtkRidgesAndUmbilics> filter;
   const Chain chain(EllipsoidData(2));
+  EXPECT_EQ(filter->GetDegree(), chain.jets->GetDegree());
   EXPECT_EQ(filter->GetNeighborhood(), chain.jets->GetNeighborhood());
   EXPECT_EQ(filter->GetMinimumNumberOfPoints(), chain.jets->GetMinimumNumberOfPoints());
   EXPECT_EQ(filter->GetMethod(), chain.umbilics->GetMethod());
@@ -238,7 +240,6 @@ TEST(RidgesAndUmbilics, OutputsTheSelectedNumberOfRings)
 {
   vtkNew<vtkRidgesAndUmbilics> filter;
   filter->SetInputData(EllipsoidData(16));
-  filter->SetNeighborhoodToAutomatic();
   filter->Update();
   vtkFieldData* field = filter->GetOutput(vtkRidgesAndUmbilics::MESH)->GetFieldData();
   // Without noise a high degree, on hardly more points than it needs.
@@ -268,7 +269,7 @@ TEST(RidgesAndUmbilics, IsModifiedExactlyWhereAPropertyChanges)
   expectEvents(1, [&filter] { filter->SetNumberOfRings(-5); }); // clamped to 1
   expectEvents(0, [&filter] { filter->SetNumberOfRings(1); });
   expectEvents(1, [&filter] { filter->CrestOnlyOn(); });
-  expectEvents(0, [&filter] { filter->SetNeighborhoodToPointCount(); });
+  expectEvents(0, [&filter] { filter->SetNeighborhoodToAutomatic(); });
 }
 
 TEST(RidgesAndUmbilics, RunsAgainOnlyWhatHasChanged)

@@ -16,7 +16,6 @@ FOLDER = Path(__file__).resolve().parents[2] / "Wrapping" / "ParaView"
 # Of the stages of vtkRidgesAndUmbilics: what it fixes, what its selection of types stands for, what
 # is for comparison only, and what is about an output that it does not have.
 NOT_FORWARDED = {
-    "SetDegree",
     "SetMongeOrder",
     "SetExtractMaximum",
     "SetExtractMinimum",

@@ -104,15 +104,14 @@ double SquaredNorm(const Values& values, int order)
 
 } // namespace
 
-double JetChoice::NoiseLeft() const
-{
-  const double sigma = std::sqrt(SquaredSigma(this->numberOfAverages, this->numberOfRings));
-  return std::sqrt(VarianceLeft(this->degree / 2 - 1, sigma));
-}
-
-JetSelection::JetSelection(int order)
+JetSelection::JetSelection(int order, int degree)
   : Order_(order)
+  , Degree_(degree)
 {
+  if (degree > 0)
+  {
+    this->Choice_.degree = degree;
+  }
 }
 
 int JetSelection::NextRings() const
@@ -124,7 +123,8 @@ int JetSelection::NextBands() const
 {
   // Many rings are for noise, which wants low degrees.
   constexpr int manyRings = 8;
-  return this->NextRings() > manyRings ? NumberOfBands - 1 : NumberOfBands;
+  const bool isLow = this->Degree_ <= JetTrial::DegreeOf(LastDegree - 1);
+  return this->NextRings() > manyRings && isLow ? NumberOfBands - 1 : NumberOfBands;
 }
 
 void JetSelection::Add(const std::vector<JetTrial>& trials)
@@ -132,6 +132,12 @@ void JetSelection::Add(const std::vector<JetTrial>& trials)
   if (this->Sample_.empty())
   {
     this->Sort(trials);
+    double radii = 0.0;
+    for (const JetTrial& trial : trials)
+    {
+      radii += trial.radius;
+    }
+    this->Edge_ = radii / static_cast<double>(RingsToTry.front() * trials.size());
   }
   this->Noise_.push_back(NoiseOf(trials));
   for (std::size_t group = 0; group < this->Groups_.size(); ++group)
@@ -171,8 +177,11 @@ void JetSelection::Sort(const std::vector<JetTrial>& trials)
 JetSelection::Terms JetSelection::TermsOf(
   const std::vector<JetTrial>& trials, std::size_t group) const
 {
-  Terms terms{ 0.0, {}, {}, {} };
+  Terms terms{ 0.0, false, {}, {}, {} };
   const std::vector<std::size_t>& sample = this->Sample_[group];
+  const auto folded = std::count_if(
+    sample.begin(), sample.end(), [&trials](std::size_t i) { return trials[i].folds; });
+  terms.folds = 2 * static_cast<std::size_t>(folded) > sample.size();
   for (int degree = 0; degree < NumberOfBands; ++degree)
   {
     double variance = 0.0;
@@ -243,7 +252,7 @@ double JetSelection::MeanError(std::size_t step, int degree, int averages) const
     const double variance = this->NoiseAt(step) * group[step].variance[degree];
     const double squaredBias = this->SquaredBias(group, step, degree);
     const double ofDegree4 = averages > 0 ? this->SquaredBias(group, step, 1) : 0.0;
-    if (variance < 0.0 || squaredBias < 0.0 || ofDegree4 < 0.0)
+    if (group[step].folds || variance < 0.0 || squaredBias < 0.0 || ofDegree4 < 0.0)
     {
       return -1.0;
     }
@@ -280,12 +289,15 @@ double JetSelection::SquaredBias(const Group& group, std::size_t step, int degre
 
 void JetSelection::Choose()
 {
-  const int lowest = this->Order_ == 2 ? 0 : 1;
+  // An odd degree gives even derivatives as the one below it does, and odd ones as the one above.
+  const int given = std::clamp((this->Degree_ + this->Order_ - 2) / 2 - 1, 0, LastDegree);
+  const int lowest = this->Degree_ > 0 ? given : (this->Order_ == 2 ? 0 : 1);
+  const int highest = this->Degree_ > 0 ? given : LastDegree;
   this->Least_ = std::numeric_limits<double>::infinity();
   for (std::size_t step = 0; step <= this->Step_; ++step)
   {
     double leastOfStep = std::numeric_limits<double>::infinity();
-    for (int degree = lowest; degree <= LastDegree; ++degree)
+    for (int degree = lowest; degree <= highest; ++degree)
     {
       for (const int averages : { 0, MostAverages })
       {
@@ -302,8 +314,8 @@ void JetSelection::Choose()
         if (error < this->Least_)
         {
           this->Least_ = error;
-          this->Choice_ = { JetTrial::DegreeOf(degree), RingsToTry[step], averages,
-            std::sqrt(this->NoiseAt(step)) };
+          this->Choice_ = { this->Degree_ > 0 ? this->Degree_ : JetTrial::DegreeOf(degree),
+            RingsToTry[step], averages, std::sqrt(this->NoiseAt(step)), this->Edge_ };
         }
       }
     }

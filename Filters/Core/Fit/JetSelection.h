@@ -17,9 +17,7 @@ struct JetChoice
   int numberOfRings = 2;
   int numberOfAverages = 0;
   double noise = 0.0; ///< Standard deviation of the heights.
-
-  /// What part of the standard error of third derivatives the averages leave.
-  double NoiseLeft() const;
+  double edge = 0.0;  ///< Roughly, that of the mesh.
 };
 
 /**
@@ -43,8 +41,8 @@ public:
   static constexpr int MostRings = 24;
   static constexpr int MostAverages = 2;
 
-  /// `order`: of the derivatives, 2 or 3.
-  explicit JetSelection(int order);
+  /// `order`: of the derivatives, 2 or 3. `degree`: if it is not 0, only the rings are chosen.
+  explicit JetSelection(int order, int degree = 0);
 
   /// The number of rings to try next, and up to which band; 0 after the last.
   int NextRings() const;
@@ -61,6 +59,7 @@ private:
   struct Terms
   {
     double radius;
+    bool folds; ///< At every second point.
     std::array<double, JetTrial::NumberOfBands> variance;
     std::array<double, JetTrial::NumberOfBands> varianceOfNext; ///< Of what the next band adds.
     std::array<double, JetTrial::NumberOfBands> squareOfNext;
@@ -76,10 +75,12 @@ private:
   void Choose();
 
   int Order_;
+  int Degree_;
   std::size_t Step_ = 0;
   std::vector<std::vector<std::size_t>> Sample_; ///< Of each group.
   std::vector<Group> Groups_;
   std::vector<double> Noise_; ///< Variance of each number of rings.
+  double Edge_ = 0.0;
   double Least_ = 0.0;
   bool IsPastLeast_ = false;
   JetChoice Choice_;
