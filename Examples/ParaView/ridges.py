@@ -15,8 +15,8 @@ if len(sys.argv) > 1:
 else:
     mesh = RidgeExampleSource(Surface="Blend")
 
-# One filter for all of it: ridges, umbilics and the mesh with its curvatures. For a scan, fit to
-# more points and keep what is sharp: MinimumNumberOfPoints=200, MinimumSharpness=300.
+# One filter for all of it: ridges, umbilics and the mesh with its curvatures. Of a scan, keep what
+# is sharp: MinimumSharpness=300.
 ridges = RidgesAndUmbilics(Input=mesh, MinimumSharpness=1.0)
 
 view = CreateRenderView(ViewSize=[1200, 900], OrientationAxesVisibility=0)

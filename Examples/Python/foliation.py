@@ -28,7 +28,7 @@ READERS = {
 parser = argparse.ArgumentParser(description=__doc__.splitlines()[0].split(":")[0])
 parser.add_argument("mesh", nargs="?", help=".ply, .obj, .stl or .vtp; else the paper's ellipsoid")
 parser.add_argument("--separation", type=float, default=0.06, help="of lines, by model size")
-parser.add_argument("--points", type=int, default=18, help="least number to fit to")
+parser.add_argument("--points", type=int, help="least number to fit to [chosen by the noise]")
 parser.add_argument("--sharpness", type=float, default=0.0, help="least one of ridges")
 parser.add_argument("--picture", help="a .png file to draw")
 parser.add_argument("--view", default="0.45,1,0.8", help="direction to the viewer")
@@ -45,7 +45,9 @@ if arguments.mesh:
     mesh.SetInputConnection(reader.GetOutputPort())
 
 jets = vtkridges.vtkJetFitting()
-jets.SetMinimumNumberOfPoints(arguments.points)
+if arguments.points:
+    jets.SetNeighborhoodToPointCount()
+    jets.SetMinimumNumberOfPoints(arguments.points)
 umbilics = vtkridges.vtkUmbilicDetection()
 ridges = vtkridges.vtkRidgeExtraction()
 salient = vtkridges.vtkRidgeSharpnessFilter()

@@ -78,7 +78,6 @@ salient.Update()
 
 every = vtkridges.vtkRidgesAndUmbilics()
 every.SetInputConnection(mesh.GetOutputPort())
-every.SetNeighborhoodToAutomatic()
 every.KeepMaximumHyperbolicOff()
 every.KeepMinimumHyperbolicOff()
 every.KeepUndecidedOff()

@@ -40,6 +40,7 @@ positions += arguments.noise * edge * np.random.default_rng(1).normal(size=posit
 
 jets = vtkridges.vtkJetFitting()
 jets.SetInputData(mesh)
+jets.SetNeighborhoodToPointCount()
 jets.SetMinimumNumberOfPoints(arguments.points)
 umbilics = vtkridges.vtkUmbilicDetection()
 umbilics.SetInputConnection(jets.GetOutputPort())
