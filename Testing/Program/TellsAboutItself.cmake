@@ -16,7 +16,7 @@ expect("${output}"
   "General:" "Exit codes: 0 done; 1 the job failed")
 # Defaults and ranges are those of the filters.
 string(REGEX REPLACE "[ \n]+" " " text "${output}")
-expect("${text}" "--degree N [^()]*\\(3 to 8\\) \\[4\\]"
+expect("${text}" "--degree N [^()]*\\(3 to 8\\)"
   "--frequency N [^()]*points \\(1 to 2000\\) \\[63\\]"
   "--umbilic-method NAME [^()]*: indices, minima \\[indices\\]"
   "--umbilic-significance ERRORS [^()]*\\(0 to 100\\) \\[3\\]"

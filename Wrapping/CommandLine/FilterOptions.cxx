@@ -82,10 +82,13 @@ void AddJetFitting(CLI::App& app, vtkJetFitting* filter)
 {
   constexpr int leastOrder = 3; // Ridges are where a third derivative vanishes.
   OptionGroup group(app, "Jet fitting");
-  group.Number<int>(
-    "--degree", "N", filter->GetDegree(), { leastOrder, filter->GetDegreeMaxValue() },
-    [filter](int value) { filter->SetDegree(value); },
-    "degree of the polynomial fitted at each point; 6 and 8 are more exact on clean meshes");
+  group
+    .Number<int>(
+      "--degree", "N", filter->GetDegree(), { leastOrder, filter->GetDegreeMaxValue() },
+      [filter](int value) { filter->SetDegree(value); },
+      "degree of the polynomial fitted at each point; without it, --neighborhood automatic chooses "
+      "one, and the others take 4")
+    ->default_str("");
   group.Number<int>(
     "--monge-order", "N", filter->GetMongeOrder(), { leastOrder, filter->GetMongeOrderMaxValue() },
     [filter](int value) { filter->SetMongeOrder(value); },
@@ -95,13 +98,13 @@ void AddJetFitting(CLI::App& app, vtkJetFitting* filter)
     { { "point-count", vtkJetFitting::BY_POINT_COUNT }, { "rings", vtkJetFitting::BY_RINGS },
       { "radius", vtkJetFitting::BY_RADIUS }, { "automatic", vtkJetFitting::AUTOMATIC } },
     filter->GetNeighborhood(), [filter](int value) { filter->SetNeighborhood(value); },
-    "how large the neighbourhood of a point is; automatic selects the degree and 2 to 24 rings by "
-    "the noise of the mesh");
+    "how large the neighbourhood of a point is; automatic chooses the degree and 2 to 24 rings by "
+    "the noise of the mesh, unless one of the next three options is given");
   group.Number<int>(
     "--minimum-number-of-points", "N", filter->GetMinimumNumberOfPoints(),
     { filter->GetMinimumNumberOfPointsMinValue(), filter->GetMinimumNumberOfPointsMaxValue() },
     [filter](int value) { filter->SetMinimumNumberOfPoints(value); },
-    "least number of points, for --neighborhood point-count; use 100 to 200 on noisy meshes");
+    "least number of points, for --neighborhood point-count");
   group.Number<int>(
     "--number-of-rings", "N", filter->GetNumberOfRings(),
     { filter->GetNumberOfRingsMinValue(), filter->GetNumberOfRingsMaxValue() },
@@ -119,6 +122,20 @@ void AddJetFitting(CLI::App& app, vtkJetFitting* filter)
   group.Flag(
     "--standard-errors", [filter](bool on) { filter->SetStandardErrors(on); },
     "compute standard errors of the derivatives; --write-mesh writes them too");
+}
+
+void CompleteNeighborhood(const CLI::App& app, vtkJetFitting* filter)
+{
+  const std::pair<const char*, int> kinds[] = { { "--minimum-number-of-points",
+                                                  vtkJetFitting::BY_POINT_COUNT },
+    { "--number-of-rings", vtkJetFitting::BY_RINGS }, { "--radius", vtkJetFitting::BY_RADIUS } };
+  for (const auto& [option, kind] : kinds)
+  {
+    if (app.count("--neighborhood") == 0 && app.count(option) > 0)
+    {
+      filter->SetNeighborhood(kind);
+    }
+  }
 }
 
 void AddUmbilics(CLI::App& app, vtkUmbilicDetection* filter)

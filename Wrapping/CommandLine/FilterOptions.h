@@ -23,6 +23,10 @@ namespace program
 {
 
 void AddJetFitting(CLI::App& app, vtkJetFitting* filter);
+
+/// After parsing: the neighbourhood that an option asks for by what it measures.
+void CompleteNeighborhood(const CLI::App& app, vtkJetFitting* filter);
+
 void AddUmbilics(CLI::App& app, vtkUmbilicDetection* filter);
 void AddRidges(CLI::App& app, vtkRidgeExtraction* filter);
 void AddSharpness(CLI::App& app, vtkRidgeSharpnessFilter* filter);

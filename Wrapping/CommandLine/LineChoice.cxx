@@ -20,12 +20,12 @@ namespace program
 
 double ThirdOrderUncertainty(vtkPolyData* fitted)
 {
-  constexpr double noise = 14.0;
   vtkPointData* data = fitted->GetPointData();
   vtkDataArray* status = data->GetArray(names::FitStatus);
   vtkDataArray* third = data->GetArray(names::ThirdOrder);
   vtkDataArray* residuals = data->GetArray(names::FitResidual);
   vtkDataArray* scales = data->GetArray(names::FitScale);
+  vtkDataArray* gains = data->GetArray(names::FitNoiseGain);
   std::vector<double> uncertainties;
   for (vtkIdType i = 0; i < fitted->GetNumberOfPoints(); ++i)
   {
@@ -36,9 +36,14 @@ double ThirdOrderUncertainty(vtkPolyData* fitted)
     double b[4];
     third->GetTuple(i, b);
     const double scale = scales->GetTuple1(i);
-    const double cubic =
-      std::hypot(std::hypot(b[0], b[1]), std::hypot(b[2], b[3])) * scale * scale / 6.0;
-    uncertainties.push_back(cubic > 0.0 ? noise * residuals->GetTuple1(i) / cubic
+    const double times[] = { 1.0, 3.0, 3.0, 1.0 };
+    double square = 0.0;
+    for (int k = 0; k < 4; ++k)
+    {
+      square += times[k] * b[k] * b[k];
+    }
+    const double cubic = std::sqrt(square) * scale * scale;
+    uncertainties.push_back(cubic > 0.0 ? gains->GetTuple1(i) * residuals->GetTuple1(i) / cubic
                                         : std::numeric_limits<double>::infinity());
   }
   if (uncertainties.empty())
@@ -53,7 +58,7 @@ double ThirdOrderUncertainty(vtkPolyData* fitted)
 
 LineChoice ChooseLines(vtkPolyData* fitted)
 {
-  constexpr double greatest = 0.1;
+  constexpr double greatest = 0.12;
   const double uncertainty = ThirdOrderUncertainty(fitted);
   char percent[32];
   std::snprintf(percent, sizeof(percent), "%.2g %%", 100.0 * uncertainty);

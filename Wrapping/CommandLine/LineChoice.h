@@ -21,11 +21,9 @@ enum class Lines
 /**
  * By how much the third derivatives of a fitted mesh are uncertain, relative to themselves: the
  * value that three quarters of the points do not exceed. Noise makes them uncertain, and so does
- * what the mesh does not resolve. Infinite where nothing was fitted and on planes.
- *
- * A fit that follows nothing but noise has a cubic part that is 14 times its residual, in the
- * median over random noise, where it is largest; so the uncertainty is 14 times the residual over
- * the size of the cubic part at the rim of the neighbourhood.
+ * what the mesh does not resolve. Infinite where nothing was fitted and on planes. It is the
+ * standard error that the residual of a fit causes in the tensor of third derivatives, over its
+ * norm.
  */
 double ThirdOrderUncertainty(vtkPolyData* fitted);
 
@@ -36,8 +34,9 @@ struct LineChoice
 };
 
 /**
- * The complete picture if the uncertainty is at most 0.1. Meshes of smooth surfaces have 0.001 to
- * 0.06, scans and parts 0.17 and more, noise of a thousandth of an edge 0.5 and more.
+ * The complete picture if the uncertainty is at most 0.12. With automatic fits, meshes of smooth
+ * surfaces have less than 0.02, noise of a thousandth of an edge makes it 0.02 to 0.09, a hundredth
+ * 0.07 to 0.2; scans and parts have 0.14 and more.
  */
 LineChoice ChooseLines(vtkPolyData* fitted);
 

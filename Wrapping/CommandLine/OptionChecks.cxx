@@ -135,7 +135,9 @@ void CheckFormula(const CLI::App& app, const Options& options)
 void CheckFit(const Filters& filters)
 {
   constexpr int fourthOrder = 4;
-  const int order = std::min(filters.jetFitting->GetMongeOrder(), filters.jetFitting->GetDegree());
+  const int degree = filters.jetFitting->GetDegree();
+  const int order = degree > 0 ? std::min(filters.jetFitting->GetMongeOrder(), degree)
+                               : filters.jetFitting->GetMongeOrder();
   if (order < fourthOrder && filters.ridges->GetTypeRule() == vtkRidgeExtraction::FOURTH_ORDER)
   {
     throw Contradiction("--degree and --monge-order less than 4 need --type-rule third-order");

@@ -226,7 +226,7 @@ std::optional<int> ParseCommandLine(int argc, char** argv, Options& options, Fil
              "Examples:\n"
              "  vtkridges scan.ply\n"
              "  vtkridges scan.ply --salient --fold-angle 25\n"
-             "  vtkridges scan.ply --minimum-number-of-points 200 --minimum-sharpness 300\n"
+             "  vtkridges scan.ply --complete --minimum-sharpness 300\n"
              "  vtkridges part.stl --crest-only --output pictures/part\n"
              "  vtkridges --surface ellipsoid --view 1,-1,1 --output ellipsoid\n"
              "  vtkridges --formula 'x^4+y^4+z^2-1' --bounds -1.1,1.1,-1.1,1.1,-1.1,1.1\n"
@@ -234,6 +234,7 @@ std::optional<int> ParseCommandLine(int argc, char** argv, Options& options, Fil
   try
   {
     app.parse(argc, argv);
+    CompleteNeighborhood(app, filters.jetFitting);
     CheckOptions(app, options, filters);
   }
   catch (const CLI::Success& success)

@@ -10,6 +10,7 @@
 #include "vtkFieldData.h"
 #include "vtkPointData.h"
 #include "vtkRidgesArrayNames.h"
+#include "vtkStringArray.h"
 
 namespace program
 {
@@ -181,9 +182,9 @@ void RunComplete(const Options& options, Filters& filters, Stages& stages, Resul
     results.checks = filters.coherence->GetOutput();
   }
   results.mesh = vtkPolyData::SafeDownCast(filters.ridges->GetOutput(2));
-  vtkDataArray* rings =
-    results.mesh->GetFieldData()->GetArray(vtkRidgesArrayNames::SelectedNumberOfRings);
-  results.selectedRings = rings ? static_cast<int>(rings->GetComponent(0, 0)) : 0;
+  auto* fit = vtkStringArray::SafeDownCast(
+    results.mesh->GetFieldData()->GetAbstractArray(vtkRidgesArrayNames::SelectedFit));
+  results.selectedFit = fit ? fit->GetValue(0) : std::string();
   results.umbilics = vtkPolyData::SafeDownCast(filters.umbilics->GetOutput(1));
   results.allRidges = filters.ridges->GetOutput();
   results.ridges = filters.sharpness->GetOutput();

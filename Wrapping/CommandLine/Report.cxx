@@ -139,9 +139,9 @@ void PrintMesh(std::ostream& os, const Results& results, const EdgeCounts& edges
   {
     PrintRow(os, "lines", results.lineChoice);
   }
-  if (results.selectedRings > 0)
+  if (!results.selectedFit.empty())
   {
-    PrintRow(os, "fit", std::to_string(results.selectedRings) + " rings, chosen automatically");
+    PrintRow(os, "fit", results.selectedFit);
   }
 }
 

@@ -28,7 +28,7 @@ struct Results
   bool areSalient = false;          ///< Whether the ridges are salient lines.
   std::string lineChoice;           ///< Which lines the data decided for, and why; or empty.
   std::size_t joinedPoints = 0;     ///< Points of the file that became one with others.
-  int selectedRings = 0;            ///< Chosen by the fit; 0 if it did not choose.
+  std::string selectedFit;          ///< What the fit chose; empty if it did not choose.
 };
 
 /// Prints the table at the end of the job.
