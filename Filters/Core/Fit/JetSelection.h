@@ -59,7 +59,6 @@ private:
   struct Terms
   {
     double radius;
-    bool folds; ///< At every second point.
     std::array<double, JetTrial::NumberOfBands> variance;
     std::array<double, JetTrial::NumberOfBands> varianceOfNext; ///< Of what the next band adds.
     std::array<double, JetTrial::NumberOfBands> squareOfNext;
@@ -80,6 +79,7 @@ private:
   std::vector<std::vector<std::size_t>> Sample_; ///< Of each group.
   std::vector<Group> Groups_;
   std::vector<double> Noise_; ///< Variance of each number of rings.
+  std::vector<bool> Folds_;   ///< Whether the surface folds over on so many, at every second point.
   double Edge_ = 0.0;
   double Least_ = 0.0;
   bool IsPastLeast_ = false;
