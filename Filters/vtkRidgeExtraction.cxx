@@ -124,6 +124,7 @@ int vtkRidgeExtraction::RequestData(
   if (!vtkRidgesAreNumbers(this,
         { { "LoopSignificance", this->LoopSignificance },
           { "ZoneSignificance", this->ZoneSignificance },
+          { "TypeSignificance", this->TypeSignificance },
           { "TypeHysteresis", this->TypeHysteresis }, { "ModelSize", this->ModelSize },
           { "UmbilicCutOff", this->UmbilicCutOff } }))
   {
@@ -154,10 +155,12 @@ int vtkRidgeExtraction::RequestData(
   search.SetUsePatches(this->UmbilicJoining == PATCHES && this->ExtremalityRule == PRINCIPAL);
   search.SetLoopSignificance(this->LoopSignificance);
   search.SetZoneSignificance(this->ExtremalityRule == PRINCIPAL ? this->ZoneSignificance : 0.0);
+  search.SetTypeSignificance(this->TypeSignificance);
   search.SetShortestRun(
     this->TypeHysteresis > 0.0 ? this->TypeHysteresis * triangles.MeanEdgeLength() : 0.0);
   vtkRidgesPolylines lines(mesh, umbilics, cutOff, modelSize);
   lines.SetCrestOnly(this->CrestOnly);
+  lines.SetTypeErrors(search.GetTypeErrors());
 
   const bool gaussian = this->ExtremalityRule == GAUSSIAN;
   std::vector<ridges::RidgeTrace> blue;
@@ -232,6 +235,7 @@ void vtkRidgeExtraction::PrintSelf(ostream& os, vtkIndent indent)
      << "\n";
   os << indent << "LoopSignificance: " << this->LoopSignificance << "\n";
   os << indent << "ZoneSignificance: " << this->ZoneSignificance << "\n";
+  os << indent << "TypeSignificance: " << this->TypeSignificance << "\n";
   os << indent << "TypeHysteresis: " << this->TypeHysteresis << "\n";
   os << indent << "ModelSize: " << this->ModelSize << "\n";
   os << indent << "UmbilicCutOff: " << this->UmbilicCutOff << "\n";

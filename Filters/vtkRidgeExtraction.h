@@ -17,9 +17,10 @@
  *
  * Output port 0: a polyline per run of one type of a ridge. Consecutive ones of one ridge share
  * their end point and RidgeId. Arrays: on cells RidgeType (see RidgeTypes), Crest, Closed, RidgeId,
- * Length, Strength and, of fourth order, Sharpness; on points Curvature, SecondDerivative (fourth
- * order), Umbilic, TurningPoint, EdgePoint0, EdgePoint1 and EdgeParameter. ComputeFoldAngle adds
- * FoldAngle on points and cells, FoldWidth on points, and NoiseFloor in field data.
+ * Length, Strength and, of fourth order, Sharpness and Confidence; on points Curvature,
+ * SecondDerivative (fourth order), Umbilic, TurningPoint, EdgePoint0, EdgePoint1 and EdgeParameter.
+ * ComputeFoldAngle adds FoldAngle on points and cells, FoldWidth on points, and NoiseFloor in field
+ * data.
  *
  * Output port 1, if FindPurplePoints is on: a vertex per purple point, with the point arrays
  * MaximumRidgeId and MinimumRidgeId of the ridges that cross there, and Triangle, the mesh's cell.
@@ -148,14 +149,17 @@ public:
    * What noise may have caused. LoopSignificance: loops around at most 64 points, at all of which
    * b0 (b3) is within this many standard errors of 0, are left out; ZoneSignificance: so are ridges
    * in regions with no larger b0 (b3) (RidgeZone). Both 0 to 100, default 3, which chance and
-   * surfaces without ridges rarely exceed; 0 keeps all. TypeHysteresis: runs of one type shorter
-   * than this many mean edges become the type on both sides; 0 to 1000, default 0: they may be
-   * true.
+   * surfaces without ridges rarely exceed; 0 keeps all. TypeSignificance: runs of one type over
+   * which P is within this many standard errors of 0 become the type on both sides; 0 to 100,
+   * default 1: as many runs as are true are left, with and without noise. TypeHysteresis: so do
+   * runs shorter than this many mean edges; 0 to 1000, default 0: they may be true.
    */
   vtkSetClampMacro(LoopSignificance, double, 0.0, 100.0);
   vtkGetMacro(LoopSignificance, double);
   vtkSetClampMacro(ZoneSignificance, double, 0.0, 100.0);
   vtkGetMacro(ZoneSignificance, double);
+  vtkSetClampMacro(TypeSignificance, double, 0.0, 100.0);
+  vtkGetMacro(TypeSignificance, double);
   vtkSetClampMacro(TypeHysteresis, double, 0.0, 1000.0);
   vtkGetMacro(TypeHysteresis, double);
   ///@}
@@ -186,6 +190,7 @@ protected:
   int UmbilicJoining = PATCHES;
   double LoopSignificance = 3.0;
   double ZoneSignificance = 3.0;
+  double TypeSignificance = 1.0;
   double TypeHysteresis = 0.0;
   bool FindPurplePoints = false;
   bool ComputeFoldAngle = false;

@@ -152,6 +152,7 @@ vtkRidgesStagePropertyMacro(ridges, CrossingRule, int);
 vtkRidgesStagePropertyMacro(ridges, UmbilicJoining, int);
 vtkRidgesStagePropertyMacro(ridges, LoopSignificance, double);
 vtkRidgesStagePropertyMacro(ridges, ZoneSignificance, double);
+vtkRidgesStagePropertyMacro(ridges, TypeSignificance, double);
 vtkRidgesStagePropertyMacro(ridges, TypeHysteresis, double);
 vtkRidgesStagePropertyMacro(ridges, ComputeFoldAngle, bool);
 vtkRidgesStagePropertyMacro(ridges, ModelSize, double);

@@ -105,6 +105,7 @@ public:
   void SetUmbilicJoiningToTriangles() { this->SetUmbilicJoining(vtkRidgeExtraction::TRIANGLES); }
   vtkRidgesStagePropertyMacro(LoopSignificance, double);
   vtkRidgesStagePropertyMacro(ZoneSignificance, double);
+  vtkRidgesStagePropertyMacro(TypeSignificance, double);
   vtkRidgesStagePropertyMacro(TypeHysteresis, double);
   vtkRidgesStagePropertyMacro(ComputeFoldAngle, bool);
   vtkBooleanMacro(ComputeFoldAngle, bool);

@@ -96,15 +96,16 @@ constexpr const char* TouchesBorder = "TouchesBorder";
 constexpr const char* RidgeType = "RidgeType";
 constexpr const char* Crest = "Crest";
 constexpr const char* Sharpness = "Sharpness";
+constexpr const char* Confidence = "Confidence";
 constexpr const char* Strength = "Strength";
 constexpr const char* Length = "Length";
 constexpr const char* RidgeId = "RidgeId";
 constexpr const char* Closed = "Closed";
 ///@}
 
-/// @name Ridges, of vtkSalientRidges: cell data, point data, both or, the last, field data
+/// @name Ridges, of vtkSalientRidges, with Confidence: cell data, point data, both or, the last,
+/// field data
 ///@{
-constexpr const char* Confidence = "Confidence";
 constexpr const char* FoldMass = "FoldMass";
 constexpr const char* FoldAngle = "FoldAngle";
 constexpr const char* FoldWidth = "FoldWidth";

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRidgesPolylines.h"
 
+#include "Core/Ridges/TypeRuns.h"
 #include "vtkRidgesArrayNames.h"
 #include "vtkRidgesMesh.h"
 #include "vtkRidgesUmbilicMarks.h"
@@ -68,6 +69,18 @@ double LargestAngle(const ridges::RidgeFolds& folds, const ridges::RidgeRun& run
   return vtkMath::DegreesFromRadians(largest);
 }
 
+/// The share of the sure lengths of a run in its length; 0 of a run without any.
+double ShareOf(
+  const std::vector<double>& sureLengths, const ridges::RidgeRun& run, double lengthOfRun)
+{
+  double sure = 0.0;
+  for (Id i = run.first; i < run.last; ++i)
+  {
+    sure += sureLengths[i];
+  }
+  return lengthOfRun > 0.0 ? std::min(sure / lengthOfRun, 1.0) : 0.0;
+}
+
 } // namespace
 
 vtkRidgesPolylines::vtkRidgesPolylines(const vtkRidgesMesh& mesh,
@@ -80,6 +93,7 @@ vtkRidgesPolylines::vtkRidgesPolylines(const vtkRidgesMesh& mesh,
   this->Points->SetDataTypeToDouble();
   this->RidgeType->SetName(names::RidgeType);
   this->Crest->SetName(names::Crest);
+  this->Confidence->SetName(names::Confidence);
   this->Sharpness->SetName(names::Sharpness);
   this->Strength->SetName(names::Strength);
   this->Length->SetName(names::Length);
@@ -126,6 +140,11 @@ void vtkRidgesPolylines::AddRidge(const ridges::RidgeTrace& ridge, const ridges:
     return ids[slot];
   };
 
+  // By this many standard errors P is on the right side of 0 in 97.5 % of all cases.
+  constexpr double significance = 2.0;
+  const std::vector<double> sureLengths = this->TypeErrors
+    ? ridges::SureLengthsOf(ridge, *this->TypeErrors, significance)
+    : std::vector<double>(ridge.types.size(), 0.0);
   const vtkIdType ridgeId = this->NextRidgeId++;
   const Id last = static_cast<Id>(ridge.types.size()) - 1;
   vtkNew<vtkIdList> line;
@@ -164,6 +183,7 @@ void vtkRidgesPolylines::AddRidge(const ridges::RidgeTrace& ridge, const ridges:
     this->Crest->InsertNextValue(crest ? 1 : 0);
     this->Sharpness->InsertNextValue(measures.rawSharpness * this->ModelSize * this->ModelSize);
     this->Strength->InsertNextValue(measures.strength);
+    this->Confidence->InsertNextValue(ShareOf(sureLengths, run, measures.length));
     this->Length->InsertNextValue(measures.length);
     this->RidgeId->InsertNextValue(ridgeId);
     this->Closed->InsertNextValue(ridge.closed ? 1 : 0);
@@ -270,6 +290,7 @@ void vtkRidgesPolylines::Store(vtkPolyData* output, bool hasFourthOrder, bool ha
   if (hasFourthOrder)
   {
     cellData->AddArray(this->Sharpness);
+    cellData->AddArray(this->Confidence);
     pointData->AddArray(this->SecondDerivative);
   }
   if (hasFolds)

@@ -6,6 +6,7 @@
 #include "Core/Base/Monitor.h"
 #include "Core/Ridges/RidgeMeasures.h"
 #include "Core/Ridges/RidgeTrace.h"
+#include "Core/Ridges/TypeErrors.h"
 #include "Core/Salience/FoldAngle.h"
 #include "vtkRidgesCompatibility.h"
 
@@ -38,6 +39,9 @@ public:
 
   void SetCrestOnly(bool crestOnly) { this->CrestOnly = crestOnly; }
 
+  /// For the confidence in types, which is put out with the fourth order.
+  void SetTypeErrors(const ridges::TypeErrors& errors) { this->TypeErrors = &errors; }
+
   /// The runs of one type of ridges become polylines, with the folds at their vertices if these are
   /// given, for all ridges or for none. False if the monitor stopped it.
   bool AddRidges(const std::vector<ridges::RidgeTrace>& ridges,
@@ -55,6 +59,7 @@ private:
   const ridges::UmbilicCutOff& CutOff;
   double ModelSize;
   bool CrestOnly = false;
+  const ridges::TypeErrors* TypeErrors = nullptr;
 
   vtkIdType NextRidgeId = 0;
   std::unordered_map<ridges::Id, vtkIdType> UmbilicPoints; ///< By triangle.
@@ -63,7 +68,8 @@ private:
   vtkNew<vtkCellArray> Lines;
   vtkNew<vtkIntArray> RidgeType, Crest, Closed, TurningPoint;
   vtkNew<vtkIdTypeArray> RidgeId, Umbilic, EdgePoint0, EdgePoint1;
-  vtkNew<vtkDoubleArray> Sharpness, Strength, Length, Curvature, SecondDerivative, EdgeParameter;
+  vtkNew<vtkDoubleArray> Confidence, Sharpness, Strength, Length, Curvature, SecondDerivative,
+    EdgeParameter;
   vtkNew<vtkDoubleArray> FoldAngle, FoldWidth, LargestFoldAngle; ///< Empty without folds.
 };
 

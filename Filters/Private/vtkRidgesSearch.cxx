@@ -4,6 +4,7 @@
 
 #include "Core/Ridges/Patch/PatchRidges.h"
 #include "Core/Ridges/SmallLoops.h"
+#include "Core/Ridges/TypeRuns.h"
 #include "Core/Umbilics/UmbilicForm.h"
 #include "vtkRidgesBatches.h"
 #include "vtkRidgesCollect.h"
@@ -97,6 +98,8 @@ struct TraceRidges
   ridges::TypeRule rule;
   const ridges::UmbilicLookup& umbilics;
   double shortestRun;
+  double typeSignificance;
+  const ridges::TypeErrors& typeErrors;
   std::vector<ridges::RidgeTrace>& traces;
 
   void operator()(vtkIdType begin, vtkIdType end)
@@ -108,9 +111,14 @@ struct TraceRidges
         this->ridges[i], this->segments, this->paths, this->crossings, this->rule, this->umbilics);
       this->ridges[i] = ridges::Ridge();
       ridges::MakeCanonical(this->crossings.Mesh(), trace);
+      // After it, the start of a loop may not be that of a run any more.
+      if (this->typeSignificance > 0.0)
+      {
+        ridges::AbsorbInsignificantRuns(trace, this->typeErrors, this->typeSignificance);
+        ridges::MakeCanonical(this->crossings.Mesh(), trace);
+      }
       if (this->shortestRun > 0.0)
       {
-        // The start of a loop may not be that of a run any more.
         ridges::AbsorbShortRuns(trace, this->shortestRun);
         ridges::MakeCanonical(this->crossings.Mesh(), trace);
       }
@@ -126,6 +134,7 @@ vtkRidgesSearch::vtkRidgesSearch(
   , Mesh(monge.mesh)
   , Field(monge.arrays.GetField())
   , Errors(monge.arrays.GetErrors())
+  , TypeErrors(monge.mesh.GetTriangles(), this->Field, this->Errors)
   , Umbilics(umbilics)
 {
 }
@@ -269,9 +278,11 @@ bool vtkRidgesSearch::Trace(vtkAlgorithm* filter, double from, double to,
   std::vector<ridges::RidgeTrace>& found) const
 {
   const ridges::UmbilicLookup lookup = this->MakeLookup();
+  const bool byP = this->TypeRule == ridges::TypeRule::FourthOrder &&
+    this->ExtremalityRule == ridges::ExtremalityRule::Principal;
   found.resize(whole.size());
   TraceRidges trace{ whole, pieces.segments, pieces.paths, crossings, this->TypeRule, lookup,
-    this->ShortestRun, found };
+    this->ShortestRun, byP ? this->TypeSignificance : 0.0, this->TypeErrors, found };
   if (!vtkRidgesForBatches(filter, static_cast<vtkIdType>(whole.size()), from, to, trace))
   {
     return false;

@@ -5,6 +5,7 @@
 
 #include "Core/Fit/FitErrors.h"
 #include "Core/Ridges/RidgeTrace.h"
+#include "Core/Ridges/TypeErrors.h"
 #include "vtkRidgesCompatibility.h"
 #include "vtkRidgesZoneSearch.h"
 
@@ -35,6 +36,9 @@ public:
   void SetLoopSignificance(double significance) { this->LoopSignificance = significance; }
   void SetZoneSignificance(double significance) { this->ZoneSignificance = significance; }
   void SetShortestRun(double length) { this->ShortestRun = length; }
+  void SetTypeSignificance(double significance) { this->TypeSignificance = significance; }
+
+  const ridges::TypeErrors& GetTypeErrors() const { return this->TypeErrors; }
 
   /// The ridges of a colour, or with the Gaussian rule those of both, in canonical form and order;
   /// and, if wanted, the zones in which ridges were left out.
@@ -73,6 +77,7 @@ private:
   const vtkRidgesMesh& Mesh;
   const ridges::MongeField& Field;
   const ridges::FitErrorSource& Errors;
+  ridges::TypeErrors TypeErrors;
   const vtkRidgesUmbilicMarks& Umbilics;
   ridges::CrossingRule CrossingRule = ridges::CrossingRule::Form;
   ridges::ExtremalityRule ExtremalityRule = ridges::ExtremalityRule::Principal;
@@ -81,6 +86,7 @@ private:
   double LoopSignificance = 0.0;
   double ZoneSignificance = 0.0;
   double ShortestRun = 0.0;
+  double TypeSignificance = 0.0;
 };
 
 #endif

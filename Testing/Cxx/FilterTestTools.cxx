@@ -175,6 +175,7 @@ Outputs RunFilters(vtkPolyData* mesh, int neighborhood)
   ridges->SetInputConnection(umbilics->GetOutputPort());
   ridges->SetLoopSignificance(0.0); // All ridges: tests look for every crossing.
   ridges->SetZoneSignificance(0.0);
+  ridges->SetTypeSignificance(0.0);
   ridges->Update();
 
   Outputs outputs;

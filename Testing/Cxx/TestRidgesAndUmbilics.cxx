@@ -172,6 +172,7 @@ TEST(RidgesAndUmbilics, ForwardsEveryProperty)
   EXPECT_FORWARDED(ridges, CrossingRule, vtkRidgeExtraction::LINEAR);
   EXPECT_FORWARDED(ridges, UmbilicJoining, vtkRidgeExtraction::TRIANGLES);
   EXPECT_FORWARDED(ridges, LoopSignificance, 100.0);
+  EXPECT_FORWARDED(ridges, TypeSignificance, 100.0);
   EXPECT_FORWARDED(ridges, TypeHysteresis, 10.0);
   EXPECT_FORWARDED(ridges, ComputeFoldAngle, true);
   EXPECT_FORWARDED(ridges, ModelSize, 3.0);
@@ -231,6 +232,7 @@ TEST(RidgesAndUmbilics, HasTheDefaultsOfItsStages)
   EXPECT_EQ(filter->GetUmbilicJoining(), chain.ridges->GetUmbilicJoining());
   EXPECT_EQ(filter->GetLoopSignificance(), chain.ridges->GetLoopSignificance());
   EXPECT_EQ(filter->GetZoneSignificance(), chain.ridges->GetZoneSignificance());
+  EXPECT_EQ(filter->GetTypeSignificance(), chain.ridges->GetTypeSignificance());
   EXPECT_EQ(filter->GetTypeHysteresis(), chain.ridges->GetTypeHysteresis());
   EXPECT_EQ(filter->GetUmbilicCutOff(), chain.ridges->GetUmbilicCutOff());
   EXPECT_EQ(filter->GetMinimumSharpness(), chain.selection->GetMinimumSharpness());

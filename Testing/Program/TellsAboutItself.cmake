@@ -24,6 +24,7 @@ expect("${text}" "--degree N [^()]*\\(3 to 8\\)"
   "--umbilic-joining NAME [^()]*: patches, triangles \\[patches\\]"
   "--loop-significance ERRORS [^()]*\\(0 to 100\\) \\[3\\]"
   "--zone-significance ERRORS [^()]*\\(0 to 100\\) \\[3\\]"
+  "--type-significance ERRORS [^()]*\\(0 to 100\\) \\[1\\]"
   "--type-hysteresis EDGES [^()]*\\(0 to 1000\\) \\[0\\]")
 file(WRITE "${DIRECTORY}/help.txt" "${short}${output}")
 file(STRINGS "${DIRECTORY}/help.txt" long_lines LENGTH_MINIMUM 81)

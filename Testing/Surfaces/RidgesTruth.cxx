@@ -5,7 +5,7 @@
 //
 //   RidgesTruth <surface> [--points 20000] [--patch-size 2] [--seed 0] [--noise 0]
 //               [--degree 4] [--fit-points 18 | --rings 8 | --automatic] [--gaussian]
-//               [--smooth 0.01]
+//               [--smooth 0.01] [--type-significance 3]
 //               [--reference 150000] [--cache <directory>] [--brief]
 //
 // surface: ellipsoid, blend, sphere, torus, "double torus", blob, metaballs; "blob:7" is another
@@ -15,6 +15,7 @@
 // --degree, --fit-points, --rings, --automatic, --gaussian: of vtkJetFitting; its defaults if not
 // given.
 // --smooth: all orders by vtkMongeSmoothing, to this share of the diameter. 0: not at all.
+// --type-significance: of vtkRidgeExtraction.
 // --reference: points of the mesh with exact Monge forms that the true ridges are traced on.
 // --cache: where meshes and true ridges are kept for the next run.
 // --brief: one line, and one for each failed check of vtkRidgeCoherence.
@@ -29,6 +30,7 @@
 #include "EvenMesh.h"
 
 #include "vtkDataArray.h"
+#include "vtkFieldData.h"
 #include "vtkJetFitting.h"
 #include "vtkMongeSmoothing.h"
 #include "vtkNew.h"
@@ -40,6 +42,7 @@
 #include "vtkSmartPointer.h"
 #include "vtkTable.h"
 #include "vtkUmbilicDetection.h"
+#include "vtkVariant.h"
 
 #include <Eigen/Geometry>
 
@@ -73,6 +76,7 @@ struct Options
   bool automatic = false;
   bool gaussian = false;
   double smooth = 0.0;
+  double typeSignificance = -1.0;
   int reference = 150000;
   std::string cache;
   bool brief = false;
@@ -141,6 +145,10 @@ Options ParseOptions(int argc, char** argv)
     else if (name == "--smooth")
     {
       options.smooth = std::stod(value);
+    }
+    else if (name == "--type-significance")
+    {
+      options.typeSignificance = std::stod(value);
     }
     else if (name == "--reference")
     {
@@ -294,6 +302,10 @@ void Run(const Options& options)
     options.smooth > 0.0 ? smoothing->GetOutputPort() : jets->GetOutputPort());
   umbilics->SetPatchSize(options.patchSize);
   ridges->SetInputConnection(umbilics->GetOutputPort());
+  if (options.typeSignificance >= 0.0)
+  {
+    ridges->SetTypeSignificance(options.typeSignificance);
+  }
   const double begin = Seconds();
   jets->Update();
   const double fitted = Seconds();
@@ -320,6 +332,11 @@ void Run(const Options& options)
   std::printf("seconds: fit %.2f, umbilics %.2f, ridges %.2f\n", fitted - begin, detected - fitted,
     extracted - detected);
   comparison.PrintTables(euler);
+  if (vtkAbstractArray* fit =
+        jets->GetOutput()->GetFieldData()->GetAbstractArray(vtkRidgesArrayNames::SelectedFit))
+  {
+    std::printf("fit: %s\n", fit->GetVariantValue(0).ToString().c_str());
+  }
   if (options.seed == 0 && options.noise == 0.0)
   {
     std::printf("median error of P1: %.2g of its root mean square; %lld lines of one type\n",

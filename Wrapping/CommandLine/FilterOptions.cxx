@@ -212,6 +212,12 @@ void AddRidges(CLI::App& app, vtkRidgeExtraction* filter)
     "ridges in regions whose extremality is nowhere more than this many standard errors from 0, as "
     "on cylinders, are omitted; 0 keeps all");
   group.Number<double>(
+    "--type-significance", "ERRORS", filter->GetTypeSignificance(),
+    { filter->GetTypeSignificanceMinValue(), filter->GetTypeSignificanceMaxValue() },
+    [filter](double value) { filter->SetTypeSignificance(value); },
+    "stretches of one type over which P is within this many standard errors of 0 take the type of "
+    "both neighbours, as noise may have caused them; 0 keeps all");
+  group.Number<double>(
     "--type-hysteresis", "EDGES", filter->GetTypeHysteresis(),
     { filter->GetTypeHysteresisMinValue(), filter->GetTypeHysteresisMaxValue() },
     [filter](double value) { filter->SetTypeHysteresis(value); },

@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
 #include <utility>
 
 namespace ridges
@@ -245,163 +244,6 @@ bool AreAlike(const RidgeTrace& trace, Id i, Id j)
   return trace.types[i] == trace.types[j] && trace.IsCrest(i) == trace.IsCrest(j);
 }
 
-void Rotate(RidgeTrace& trace, std::size_t start)
-{
-  const auto shift = static_cast<std::ptrdiff_t>(start);
-  trace.vertices.pop_back();
-  std::rotate(trace.types.begin(), trace.types.begin() + shift, trace.types.end());
-  std::rotate(trace.vertices.begin(), trace.vertices.begin() + shift, trace.vertices.end());
-  trace.vertices.push_back(trace.vertices.front());
-}
-
-/// The runs of one type in a ridge: a list, from which the shortest ones are taken out.
-class ShortRuns
-{
-public:
-  explicit ShortRuns(RidgeTrace& trace);
-
-  /// Gives runs shorter than this the type of the one before, the shortest first.
-  void Absorb(double length);
-
-private:
-  struct Run
-  {
-    std::size_t first; ///< Piece of the ridge.
-    std::size_t count; ///< Pieces from there on, over the end of a loop to its start.
-    double length;
-    std::size_t previous;
-    std::size_t next;
-    bool isLeft = true;
-  };
-  using Entry = std::pair<double, std::size_t>; ///< Length and run.
-
-  bool HasTwoNeighbors(std::size_t run) const
-  {
-    return this->Trace_.closed ? this->Runs_[run].next != run
-                               : run > 0 && this->Runs_[run].next < this->Runs_.size();
-  }
-  void Push(std::size_t run, double length);
-  void Unite(std::size_t run, std::size_t with);
-
-  RidgeTrace& Trace_;
-  std::vector<Run> Runs_;
-  std::vector<Entry> Queue_; ///< A heap, the shortest first.
-};
-
-ShortRuns::ShortRuns(RidgeTrace& trace)
-  : Trace_(trace)
-{
-  // So that no run of a loop is cut at its start.
-  for (std::size_t i = 1; trace.closed && i < trace.types.size(); ++i)
-  {
-    if (trace.types[i] != trace.types[i - 1])
-    {
-      Rotate(trace, i);
-      break;
-    }
-  }
-  for (std::size_t i = 0; i < trace.types.size(); ++i)
-  {
-    if (i == 0 || trace.types[i] != trace.types[i - 1])
-    {
-      const std::size_t run = this->Runs_.size();
-      this->Runs_.push_back({ i, 0, 0.0, run - 1, run + 1 });
-    }
-    Run& run = this->Runs_.back();
-    ++run.count;
-    run.length += (trace.vertices[i + 1].point.position - trace.vertices[i].point.position).norm();
-  }
-  if (trace.closed && !this->Runs_.empty())
-  {
-    this->Runs_.front().previous = this->Runs_.size() - 1;
-    this->Runs_.back().next = 0;
-  }
-}
-
-void ShortRuns::Push(std::size_t run, double length)
-{
-  if (this->Runs_[run].length < length)
-  {
-    this->Queue_.emplace_back(this->Runs_[run].length, run);
-    std::push_heap(this->Queue_.begin(), this->Queue_.end(), std::greater<Entry>());
-  }
-}
-
-/// Adds to a run the one that follows it.
-void ShortRuns::Unite(std::size_t run, std::size_t with)
-{
-  Run& other = this->Runs_[with];
-  this->Runs_[run].count += other.count;
-  this->Runs_[run].length += other.length;
-  this->Runs_[run].next = other.next;
-  other.isLeft = false;
-  if (other.next < this->Runs_.size())
-  {
-    this->Runs_[other.next].previous = run;
-  }
-}
-
-// A piece changes its type but rarely: each time its run becomes three times as long at least.
-void ShortRuns::Absorb(double length)
-{
-  for (std::size_t run = 0; run < this->Runs_.size(); ++run)
-  {
-    this->Push(run, length);
-  }
-  while (!this->Queue_.empty())
-  {
-    std::pop_heap(this->Queue_.begin(), this->Queue_.end(), std::greater<Entry>());
-    const auto [shortest, run] = this->Queue_.back();
-    this->Queue_.pop_back();
-    const Run& absorbed = this->Runs_[run];
-    if (!absorbed.isLeft || absorbed.length != shortest || !this->HasTwoNeighbors(run))
-    {
-      continue;
-    }
-    std::vector<RidgeType>& types = this->Trace_.types;
-    const std::size_t before = absorbed.previous;
-    const std::size_t after = absorbed.next;
-    const RidgeType type = types[this->Runs_[before].first];
-    for (std::size_t i = 0; i < absorbed.count; ++i)
-    {
-      types[(absorbed.first + i) % types.size()] = type;
-    }
-    this->Unite(before, run);
-    if (after != before && types[this->Runs_[after].first] == type)
-    {
-      this->Unite(before, after);
-    }
-    this->Push(before, length);
-  }
-}
-
-// A turning point that does not turn any more lies on the straight piece that it was put on.
-void RemoveFormerTurningPoints(RidgeTrace& trace)
-{
-  const auto isBetween = [](const RidgeVertex& vertex)
-  { return vertex.edge == RidgeVertex::None && vertex.umbilic == RidgeVertex::None; };
-  if (trace.closed && trace.types.front() == trace.types.back())
-  {
-    // Between two turning points of a loop there is a crossing of an edge.
-    Rotate(trace, isBetween(trace.vertices.front()) ? 1 : 0);
-  }
-  std::vector<RidgeVertex> vertices{ trace.vertices.front() };
-  std::vector<RidgeType> types;
-  for (std::size_t i = 0; i < trace.types.size(); ++i)
-  {
-    const RidgeVertex& start = trace.vertices[i];
-    if (i > 0 && isBetween(start) && trace.types[i] == trace.types[i - 1])
-    {
-      vertices.back() = trace.vertices[i + 1];
-      continue;
-    }
-    types.push_back(trace.types[i]);
-    vertices.push_back(trace.vertices[i + 1]);
-  }
-  trace.vertices = std::move(vertices);
-  trace.types = std::move(types);
-}
-
 } // namespace
 
 bool RidgeTrace::IsCrest(Id piece) const
@@ -415,12 +257,6 @@ RidgeTrace TraceRidge(const Ridge& ridge, const std::vector<RidgeSegment>& segme
   const UmbilicLookup& umbilics)
 {
   return Tracer(segments, paths, crossings, rule, umbilics).Trace(ridge);
-}
-
-void AbsorbShortRuns(RidgeTrace& trace, double length)
-{
-  ShortRuns(trace).Absorb(length);
-  RemoveFormerTurningPoints(trace);
 }
 
 std::vector<RidgeRun> RunsOf(const RidgeTrace& trace)
@@ -438,6 +274,15 @@ std::vector<RidgeRun> RunsOf(const RidgeTrace& trace)
     first = last;
   }
   return runs;
+}
+
+void RotateLoop(RidgeTrace& trace, std::size_t start)
+{
+  const auto shift = static_cast<std::ptrdiff_t>(start);
+  trace.vertices.pop_back();
+  std::rotate(trace.types.begin(), trace.types.begin() + shift, trace.types.end());
+  std::rotate(trace.vertices.begin(), trace.vertices.begin() + shift, trace.vertices.end());
+  trace.vertices.push_back(trace.vertices.front());
 }
 
 void MakeCanonical(const TriangleMesh& mesh, RidgeTrace& trace)
@@ -458,7 +303,7 @@ void MakeCanonical(const TriangleMesh& mesh, RidgeTrace& trace)
         startsRun = here;
       }
     }
-    Rotate(trace, start);
+    RotateLoop(trace, start);
   }
   // A ridge from an umbilic back to itself has equal ends, as a loop has.
   for (std::size_t i = trace.closed ? 1 : 0; i <= count / 2; ++i)

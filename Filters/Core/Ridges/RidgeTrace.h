@@ -53,12 +53,6 @@ RidgeTrace TraceRidge(const Ridge& ridge, const std::vector<RidgeSegment>& segme
   const std::vector<RidgePath>& paths, const RidgeCrossings& crossings, TypeRule rule,
   const UmbilicLookup& umbilics);
 
-/**
- * Gives runs of one type that are shorter than this length the type of their two neighbours, the
- * shortest first: noise in P. Runs at the ends of a ridge stay.
- */
-void AbsorbShortRuns(RidgeTrace& trace, double length);
-
 /// A run of pieces [first, last) of one type, and all or none of them crest lines.
 struct RidgeRun
 {
@@ -76,6 +70,9 @@ std::vector<RidgeRun> RunsOf(const RidgeTrace& trace);
  * is.
  */
 void MakeCanonical(const TriangleMesh& mesh, RidgeTrace& trace);
+
+/// Lets a loop start at another of its vertices.
+void RotateLoop(RidgeTrace& trace, std::size_t start);
 
 /// An order of canonical ridges by their points.
 bool ComesBefore(const TriangleMesh& mesh, const RidgeTrace& a, const RidgeTrace& b);

@@ -6,6 +6,7 @@
 #include "Fixtures/EllipsoidFixture.h"
 
 #include "Ridges/RidgeTrace.h"
+#include "Ridges/TypeRuns.h"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,128 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkRidges contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Ridges/TypeErrors.h"
+
+#include "Mesh/MeanGradient.h"
+#include "Mesh/Triangle.h"
+#include "Mesh/TriangleMesh.h"
+#include "Monge/AcuteRule.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ridges
+{
+namespace
+{
+
+/// Of b1 (b2), and of c0 (c4) times the fitting radius, over that of the third-order tensor: about,
+/// for fits of degree 4 to 8 to even points.
+constexpr double ErrorOfMixedThird = 0.3;
+constexpr double ErrorOfFourth = 6.0;
+
+} // namespace
+
+TypeErrors::TypeErrors(
+  const TriangleMesh& mesh, const MongeField& field, const FitErrorSource& errors)
+  : Mesh_(mesh)
+  , Field_(field)
+  , Errors_(errors)
+{
+}
+
+double TypeErrors::ErrorAt(Color color, Id p) const
+{
+  const FitErrorSource& errors = this->Errors_;
+  if (!errors.fitResidual || !errors.fitScale || !errors.noiseGain || !(errors.fitScale[p] > 0.0))
+  {
+    return 0.0;
+  }
+  // Averaged, as single fits have few points more than coefficients.
+  double squares = 0.0;
+  double count = 0.0;
+  for (const Id t : this->Mesh_.TrianglesAround(p))
+  {
+    for (const Id q : this->Mesh_.Corners(t))
+    {
+      const double height = errors.fitResidual[q] * errors.fitScale[q];
+      squares += height * height;
+      count += 1.0;
+    }
+  }
+  const double radius = errors.fitScale[p];
+  const double third = count > 0.0
+    ? errors.noiseGain[p] * std::sqrt(squares / count) / (radius * radius * radius)
+    : 0.0;
+  const double mixed = this->Field_.ThirdOrder(p)[color == Color::Blue ? 1 : 2];
+  const double gap = this->Field_.k1[p] - this->Field_.k2[p];
+  return third * std::hypot(6.0 * mixed * ErrorOfMixedThird, gap * ErrorOfFourth / radius);
+}
+
+double TypeErrors::SlopeAt(Color color, Id p) const
+{
+  const double here = this->Field_.Extremality(color, p);
+  const auto rise = [this, color, p, here](Id q)
+  { return AcuteSign(this->Field_, p, q) * this->Field_.Extremality(color, q) - here; };
+  MeanGradient gradient;
+  for (const Id t : this->Mesh_.TrianglesAround(p))
+  {
+    const Triangle& c = this->Mesh_.Corners(t);
+    const int corner = CornerOf(c, p);
+    const Id q = c[(corner + 1) % 3];
+    const Id r = c[(corner + 2) % 3];
+    gradient.Add(this->Mesh_.Point(q) - this->Mesh_.Point(p),
+      this->Mesh_.Point(r) - this->Mesh_.Point(p), rise(q), rise(r));
+  }
+  const double gap = this->Field_.k1[p] - this->Field_.k2[p];
+  return (color == Color::Blue ? gap : -gap) * gradient.Along(this->Field_.Direction(color, p));
+}
+
+template <typename AtPoint>
+std::vector<double> TypeErrors::Along(const RidgeTrace& trace, const AtPoint& atPoint) const
+{
+  std::vector<double> values(trace.vertices.size(), 0.0);
+  const auto isOnEdge = [&trace](std::size_t i)
+  { return trace.vertices[i].edge != RidgeVertex::None; };
+  for (std::size_t i = 0; i < values.size(); ++i)
+  {
+    const RidgeVertex& vertex = trace.vertices[i];
+    if (isOnEdge(i))
+    {
+      // The parameter starts at the smaller number.
+      const Edge& edge = this->Mesh_.EdgeAt(vertex.edge);
+      const double t = vertex.point.parameter;
+      values[i] = (1.0 - t) * atPoint(vertex.point.color, std::min(edge.v0, edge.v1)) +
+        t * atPoint(vertex.point.color, std::max(edge.v0, edge.v1));
+    }
+    else if (i > 0)
+    {
+      values[i] = values[i - 1];
+    }
+  }
+  for (std::size_t i = values.size(); i-- > 1 && !isOnEdge(0);)
+  {
+    if (isOnEdge(i))
+    {
+      values[0] = values[i];
+    }
+  }
+  return values;
+}
+
+std::vector<double> TypeErrors::ErrorsOf(const RidgeTrace& trace) const
+{
+  return this->Along(trace, [this](Color color, Id p) { return this->ErrorAt(color, p); });
+}
+
+std::vector<double> TypeErrors::ScalesOf(const RidgeTrace& trace) const
+{
+  const double* scale = this->Errors_.fitScale;
+  return this->Along(trace, [scale](Color, Id p) { return scale ? scale[p] : 0.0; });
+}
+
+std::vector<double> TypeErrors::SlopesOf(const RidgeTrace& trace) const
+{
+  return this->Along(trace, [this](Color color, Id p) { return this->SlopeAt(color, p); });
+}
+
+} // namespace ridges
