@@ -22,17 +22,28 @@ constexpr double Steps = 0x1p35;
 
 /// How finely distances are told apart: far more coarsely than they are rounded.
 constexpr double StepsOfDistance = 0x1p17;
+constexpr std::uint64_t NotOnSurface = ~std::uint64_t(0);
 
-/// The mean of what is `valueOf` at the points, from 0 to `greatest`.
+bool IsOnSurface(const TriangleMesh& mesh, Id p)
+{
+  return mesh.TrianglesAround(p).size() > 0;
+}
+
+/// The mean of what is `valueOf` at the points of the surface, from 0 to `greatest`.
 template <typename ValueOf>
 double Mean(const TriangleMesh& mesh, double greatest, const ValueOf& valueOf)
 {
   std::int64_t sum = 0;
+  Id count = 0;
   for (Id p = 0; p < mesh.NumberOfPoints(); ++p)
   {
-    sum += std::llround(valueOf(p) / greatest * Steps);
+    if (IsOnSurface(mesh, p))
+    {
+      sum += std::llround(valueOf(p) / greatest * Steps);
+      ++count;
+    }
   }
-  return static_cast<double>(sum) / static_cast<double>(mesh.NumberOfPoints()) * greatest / Steps;
+  return static_cast<double>(sum) / static_cast<double>(count) * greatest / Steps;
 }
 
 /// The distance of each point from the centroid over its mean, in steps. Empty if there is none.
@@ -44,6 +55,10 @@ std::vector<std::uint64_t> StepsFromCentroid(const TriangleMesh& mesh)
   bool isFinite = true;
   for (Id p = 0; p < mesh.NumberOfPoints(); ++p)
   {
+    if (!IsOnSurface(mesh, p))
+    {
+      continue;
+    }
     const Eigen::Vector3d x = mesh.Point(p);
     isFinite = isFinite && x.allFinite();
     least = least.cwiseMin(x);
@@ -67,7 +82,9 @@ std::vector<std::uint64_t> StepsFromCentroid(const TriangleMesh& mesh)
   steps.reserve(static_cast<std::size_t>(mesh.NumberOfPoints()));
   for (Id p = 0; p < mesh.NumberOfPoints(); ++p)
   {
-    steps.push_back(static_cast<std::uint64_t>(distance(p) / mean * StepsOfDistance));
+    steps.push_back(IsOnSurface(mesh, p)
+        ? static_cast<std::uint64_t>(distance(p) / mean * StepsOfDistance)
+        : NotOnSurface);
   }
   return steps;
 }
@@ -81,12 +98,14 @@ std::vector<Id> ShapeSample(const TriangleMesh& mesh, double wanted)
     return PositionSample(mesh, wanted);
   }
   const std::vector<std::uint64_t> steps = StepsFromCentroid(mesh);
-  const double part = wanted / static_cast<double>(mesh.NumberOfPoints());
+  const auto count = std::count_if(
+    steps.begin(), steps.end(), [](std::uint64_t step) { return step != NotOnSurface; });
+  const double part = wanted / static_cast<double>(count);
   std::vector<std::pair<std::uint64_t, Id>> chosen;
   for (std::size_t p = 0; p < steps.size(); ++p)
   {
     const std::uint64_t hash = MixedBits(steps[p]);
-    if (static_cast<double>(hash) < part * 0x1p64)
+    if (steps[p] != NotOnSurface && static_cast<double>(hash) < part * 0x1p64)
     {
       chosen.emplace_back(hash, static_cast<Id>(p));
     }
