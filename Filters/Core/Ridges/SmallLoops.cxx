@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Ridges/SmallLoops.h"
 
+#include "Mesh/MeanGradient.h"
+#include "Mesh/Triangle.h"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -30,8 +33,34 @@ bool SmallLoops::IsInsignificant(Id point) const
 {
   const Color color = this->Crossings_.RidgeColor();
   const double error = ExtremalityError(this->Crossings_.Mesh(), this->Errors_, color, point);
-  return error > 0.0 &&
-    std::abs(this->Crossings_.Field().Extremality(color, point)) <= this->Significance_ * error;
+  if (!(error > 0.0))
+  {
+    return false;
+  }
+  const double b = std::abs(this->Crossings_.Field().Extremality(color, point));
+  return b <= this->Significance_ * error ||
+    b <= this->Significance_ * std::hypot(error, this->Difference(point));
+}
+
+/// Of the extremality to the derivative of the curvature from point to point. What the polynomials
+/// cannot follow shows here, even if little is left over.
+double SmallLoops::Difference(Id point) const
+{
+  const TriangleMesh& mesh = this->Crossings_.Mesh();
+  const MongeField& field = this->Crossings_.Field();
+  const Color color = this->Crossings_.RidgeColor();
+  const double here = field.Curvature(color, point);
+  MeanGradient gradient;
+  for (const Id t : mesh.TrianglesAround(point))
+  {
+    const Triangle& c = mesh.Corners(t);
+    const int corner = CornerOf(c, point);
+    const Id q = c[(corner + 1) % 3];
+    const Id r = c[(corner + 2) % 3];
+    gradient.Add(mesh.Point(q) - mesh.Point(point), mesh.Point(r) - mesh.Point(point),
+      field.Curvature(color, q) - here, field.Curvature(color, r) - here);
+  }
+  return field.Extremality(color, point) - gradient.Along(field.Direction(color, point));
 }
 
 SmallLoops::Part SmallLoops::FindPart(Id start, const Fence& fence) const

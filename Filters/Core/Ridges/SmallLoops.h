@@ -18,7 +18,8 @@ namespace ridges
  *
  * The edges that a loop crosses an odd number of times divide the points around it into parts, and
  * the loop runs between parts on its one side and parts on its other. It is small if on one of its
- * two sides all parts have few points, and b is insignificant at all of them. Where a loop passes
+ * two sides all parts have few points, and b is insignificant at all of them: within its standard
+ * errors and its difference to the derivative of the curvature. Where a loop passes
  * through patches it may cross edges twice, so that there are several parts on each side.
  */
 class SmallLoops
@@ -48,6 +49,7 @@ private:
   using Fence = std::vector<Id>; ///< Edges, sorted.
 
   bool IsInsignificant(Id point) const;
+  double Difference(Id point) const;
   Part FindPart(Id start, const Fence& fence) const;
   void GrowByOne(Part& part, const Fence& fence) const;
   bool Separates(const Part& part, const Fence& fence) const;
