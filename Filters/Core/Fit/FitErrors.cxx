@@ -14,6 +14,17 @@ namespace
 constexpr double Factor = 140.0;
 constexpr double LeastFreedom = 9.0;
 
+/// Of b0 over the third-order tensor, and of k1 - k2: by what noise is magnified in the tensor, for
+/// even points.
+constexpr double ErrorOfExtremality = 0.6;
+double ErrorOfGap(double gain, double points)
+{
+  // Times the root of the number of points, the gain depends on the degree only: in degree 4 it is
+  // 130, and what k1 - k2 has 59; in degree 6 and 8 they are 730 and 154, 2400 and 330.
+  const double root = std::sqrt(points);
+  return 59.0 * std::pow(gain * root / 130.0, 0.58) / root;
+}
+
 /// The same to the last digit whatever the order of the three.
 double SumBySize(double a, double b, double c)
 {
@@ -42,7 +53,8 @@ double EstimatePoints(const TriangleMesh& mesh, double scale, Id point)
  * With n points and 15 coefficients the noise is the residual times sqrt(n / (n - 15)), and its
  * effect on a coefficient falls like one over sqrt(n). The factor left is one that, on even meshes
  * and scans, and for 18 to 200 points, comes within a factor of two of the median of the standard
- * errors of k1 - k2 and of b0 by JetErrors.h.
+ * errors of k1 - k2 and of b0 by JetErrors.h. Where it is known by what a fit magnifies noise,
+ * which depends on its degree, that is used instead.
  */
 template <int Order>
 double FromResiduals(const TriangleMesh& mesh, const FitErrorSource& source, Id point)
@@ -89,12 +101,18 @@ double FromResiduals(const TriangleMesh& mesh, const FitErrorSource& source, Id 
     }
   }
   constexpr double coefficients = 15.0;
-  const double freedom =
-    std::max(LeastFreedom, EstimatePoints(mesh, source.fitScale[point], point) - coefficients);
+  const double points = EstimatePoints(mesh, source.fitScale[point], point);
+  double factor = Factor / std::sqrt(std::max(LeastFreedom, points - coefficients));
+  if (source.noiseGain && source.noiseGain[point] > 0.0)
+  {
+    const double gain = source.noiseGain[point];
+    factor =
+      Order == 1 ? ErrorOfGap(gain, std::max(LeastFreedom, points)) : ErrorOfExtremality * gain;
+  }
   // Below this all is rounding: the surface is a polynomial to ten digits over the fitted radius.
   constexpr double rounding = 1e-10;
   const double average = count > 0 ? std::sqrt(sum / count) : 0.0;
-  return std::max(rounding * unit(point), Factor / std::sqrt(freedom) * average);
+  return std::max(rounding * unit(point), factor * average);
 }
 
 } // namespace
@@ -143,7 +161,10 @@ bool MayBeWeak(const MongeField& field, const FitErrorSource& source, double sig
   {
     return true;
   }
-  constexpr double mostError = Factor / 3.0; // LeastFreedom under the root
+  // LeastFreedom under the root
+  const double mostError = source.noiseGain && source.noiseGain[point] > 0.0
+    ? ErrorOfGap(source.noiseGain[point], LeastFreedom)
+    : Factor / 3.0;
   constexpr double mostOfNeighbors = 4.0;
   const double scale = source.fitScale[point];
   const double gap = field.k1[point] - field.k2[point];
