@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRidgeExtraction.h"
 
+#include "Core/Mesh/BorderStrip.h"
 #include "Core/Mesh/EnclosingSphere.h"
 #include "Core/Monge/AcuteRule.h"
 #include "Core/Ridges/PurplePoints.h"
@@ -161,6 +162,7 @@ int vtkRidgeExtraction::RequestData(
   vtkRidgesPolylines lines(mesh, umbilics, cutOff, modelSize);
   lines.SetCrestOnly(this->CrestOnly);
   lines.SetTypeErrors(search.GetTypeErrors());
+  lines.SetBorderStrip(ridges::BorderStrip(triangles, monge.arrays.GetErrors().fitScale));
 
   const bool gaussian = this->ExtremalityRule == GAUSSIAN;
   std::vector<ridges::RidgeTrace> blue;

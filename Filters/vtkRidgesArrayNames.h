@@ -89,6 +89,7 @@ constexpr const char* ThirdOrderIndex = "ThirdOrderIndex";
 constexpr const char* Triangle = "Triangle";
 constexpr const char* Pattern = "Pattern";
 constexpr const char* TouchesBorder = "TouchesBorder";
+constexpr const char* NearBorder = "NearBorder"; ///< Of ridges, too.
 ///@}
 
 /// @name Ridges, cell data

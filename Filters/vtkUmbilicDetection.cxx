@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkUmbilicDetection.h"
 
+#include "Core/Mesh/BorderStrip.h"
 #include "Core/Umbilics/GapMinima.h"
 #include "vtkRidgesBatches.h"
 #include "vtkRidgesCollect.h"
@@ -152,6 +153,13 @@ int vtkUmbilicDetection::RequestData(
   if (!(byIndices ? FindByIndices(this, monge, found) : FindMinima(this, monge, found)))
   {
     return 1;
+  }
+  const ridges::TriangleMesh& triangles = monge.mesh.GetTriangles();
+  const std::vector<std::uint8_t> strip =
+    ridges::BorderStrip(triangles, monge.arrays.GetErrors().fitScale);
+  for (ridges::Umbilic& umbilic : found.umbilics)
+  {
+    umbilic.isNearBorder = ridges::IsInStrip(triangles, strip, umbilic.triangle);
   }
   found.MarkOnMesh(monge.mesh, markedMesh);
   found.StoreVertices(monge.mesh, vertices);

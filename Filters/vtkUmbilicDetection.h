@@ -54,6 +54,7 @@
  * | Pattern         | pattern of curvature lines: 1 lemon, 2 monstar (both of index            |
  * |                 | +0.5), 3 star (-0.5)                                                     |
  * | TouchesBorder   | 1 where its patch is on the border of the mesh                           |
+ * | NearBorder      | 1 where fits are one-sided: no farther from the border than FitScale     |
  * | Triangle        | the cell of the mesh that contains it                                    |
  *
  * The position is the zero of the traceless second fundamental form, interpolated over the one
@@ -64,10 +65,12 @@
  * every closed connected part of the mesh.
  *
  * @warning
- * On spheres and planes, where k1 = k2 everywhere, umbilics mean nothing: as many remain as the
- * Euler characteristic demands, inside an UmbilicZone. Where directions make several half turns
- * around one triangle, as on a cube of twelve triangles, it contains several umbilics, and the
- * first has the patch.
+ * Where fits are one-sided an umbilic, and even a pair of them, may be an error of the fits
+ * (NearBorder), and an umbilic just beyond the border may be found; the sum of the indices of an
+ * open mesh is not constrained. On spheres and planes, where k1 = k2 everywhere, umbilics mean
+ * nothing: as many remain as the Euler characteristic demands, inside an UmbilicZone. Where
+ * directions make several half turns around one triangle, as on a cube of twelve triangles, it
+ * contains several umbilics, and the first has the patch.
  *
  * @sa
  * vtkJetFitting vtkRidgeExtraction

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRidgesPolylines.h"
 
+#include "Core/Mesh/BorderStrip.h"
 #include "Core/Ridges/TypeRuns.h"
 #include "vtkRidgesArrayNames.h"
 #include "vtkRidgesMesh.h"
@@ -99,6 +100,7 @@ vtkRidgesPolylines::vtkRidgesPolylines(const vtkRidgesMesh& mesh,
   this->Length->SetName(names::Length);
   this->RidgeId->SetName(names::RidgeId);
   this->Closed->SetName(names::Closed);
+  this->NearBorder->SetName(names::NearBorder);
   this->Curvature->SetName(names::Curvature);
   this->SecondDerivative->SetName(names::SecondDerivative);
   this->Umbilic->SetName(names::Umbilic);
@@ -187,11 +189,34 @@ void vtkRidgesPolylines::AddRidge(const ridges::RidgeTrace& ridge, const ridges:
     this->Length->InsertNextValue(measures.length);
     this->RidgeId->InsertNextValue(ridgeId);
     this->Closed->InsertNextValue(ridge.closed ? 1 : 0);
+    this->NearBorder->InsertNextValue(this->IsNearBorder(ridge, run) ? 1 : 0);
     if (folds)
     {
       this->LargestFoldAngle->InsertNextValue(LargestAngle(*folds, run, ridges::IsElliptic(type)));
     }
   }
+}
+
+/// Whether all of a run is; a turning point is where its neighbours are.
+bool vtkRidgesPolylines::IsNearBorder(
+  const ridges::RidgeTrace& ridge, const ridges::RidgeRun& run) const
+{
+  const ridges::TriangleMesh& mesh = this->Mesh.GetTriangles();
+  const auto isNear = [this, &mesh](const ridges::RidgeVertex& vertex)
+  {
+    if (vertex.umbilic != ridges::RidgeVertex::None)
+    {
+      return ridges::IsInStrip(mesh, this->BorderStrip, vertex.umbilic);
+    }
+    if (vertex.edge == ridges::RidgeVertex::None)
+    {
+      return true;
+    }
+    const ridges::Edge& edge = mesh.EdgeAt(vertex.edge);
+    return this->BorderStrip[edge.v0] != 0 || this->BorderStrip[edge.v1] != 0;
+  };
+  return !this->BorderStrip.empty() &&
+    std::all_of(ridge.vertices.begin() + run.first, ridge.vertices.begin() + run.last + 1, isNear);
 }
 
 /// The runs of one type, without their parts in triangles that belong to another piece.
@@ -278,6 +303,7 @@ void vtkRidgesPolylines::Store(vtkPolyData* output, bool hasFourthOrder, bool ha
   cellData->AddArray(this->Length);
   cellData->AddArray(this->RidgeId);
   cellData->AddArray(this->Closed);
+  cellData->AddArray(this->NearBorder);
   cellData->SetActiveScalars(names::RidgeType);
 
   vtkPointData* pointData = output->GetPointData();

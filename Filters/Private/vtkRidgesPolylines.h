@@ -17,7 +17,9 @@
 #include "vtkNew.h"
 #include "vtkPoints.h"
 
+#include <cstdint>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 VTK_ABI_NAMESPACE_BEGIN
@@ -42,6 +44,9 @@ public:
   /// For the confidence in types, which is put out with the fourth order.
   void SetTypeErrors(const ridges::TypeErrors& errors) { this->TypeErrors = &errors; }
 
+  /// Points at which fits are one-sided: see ridges::BorderStrip.
+  void SetBorderStrip(std::vector<std::uint8_t> strip) { this->BorderStrip = std::move(strip); }
+
   /// The runs of one type of ridges become polylines, with the folds at their vertices if these are
   /// given, for all ridges or for none. False if the monitor stopped it.
   bool AddRidges(const std::vector<ridges::RidgeTrace>& ridges,
@@ -51,6 +56,7 @@ public:
 
 private:
   void AddRidge(const ridges::RidgeTrace& ridge, const ridges::RidgeFolds* folds);
+  bool IsNearBorder(const ridges::RidgeTrace& ridge, const ridges::RidgeRun& run) const;
   std::vector<ridges::RidgeRun> OwnedRunsOf(const ridges::RidgeTrace& ridge) const;
   vtkIdType InsertVertex(const ridges::RidgeVertex& vertex, const ridges::Fold* fold);
 
@@ -60,13 +66,14 @@ private:
   double ModelSize;
   bool CrestOnly = false;
   const ridges::TypeErrors* TypeErrors = nullptr;
+  std::vector<std::uint8_t> BorderStrip;
 
   vtkIdType NextRidgeId = 0;
   std::unordered_map<ridges::Id, vtkIdType> UmbilicPoints; ///< By triangle.
 
   vtkNew<vtkPoints> Points;
   vtkNew<vtkCellArray> Lines;
-  vtkNew<vtkIntArray> RidgeType, Crest, Closed, TurningPoint;
+  vtkNew<vtkIntArray> RidgeType, Crest, Closed, NearBorder, TurningPoint;
   vtkNew<vtkIdTypeArray> RidgeId, Umbilic, EdgePoint0, EdgePoint1;
   vtkNew<vtkDoubleArray> Confidence, Sharpness, Strength, Length, Curvature, SecondDerivative,
     EdgeParameter;

@@ -113,6 +113,7 @@ void vtkRidgesUmbilicOutput::StoreVertices(const vtkRidgesMesh& mesh, vtkPolyDat
   auto triangle = MakeArray<vtkIdTypeArray>(names::Triangle);
   auto pattern = MakeArray<vtkIntArray>(names::Pattern);
   auto touchesBorder = MakeArray<vtkIntArray>(names::TouchesBorder);
+  auto nearBorder = MakeArray<vtkIntArray>(names::NearBorder);
   for (std::size_t i = 0; i < this->umbilics.size(); ++i)
   {
     const ridges::Umbilic& umbilic = this->umbilics[i];
@@ -129,6 +130,7 @@ void vtkRidgesUmbilicOutput::StoreVertices(const vtkRidgesMesh& mesh, vtkPolyDat
     triangle->InsertNextValue(mesh.GetCellId(umbilic.triangle));
     pattern->InsertNextValue(static_cast<int>(umbilic.pattern));
     touchesBorder->InsertNextValue(umbilic.touchesBorder ? 1 : 0);
+    nearBorder->InsertNextValue(umbilic.isNearBorder ? 1 : 0);
   }
   output->SetPoints(points);
   output->SetVerts(vertices);
@@ -140,5 +142,6 @@ void vtkRidgesUmbilicOutput::StoreVertices(const vtkRidgesMesh& mesh, vtkPolyDat
   pointData->AddArray(triangle);
   pointData->AddArray(pattern);
   pointData->AddArray(touchesBorder);
+  pointData->AddArray(nearBorder);
   pointData->SetActiveScalars(names::Index);
 }

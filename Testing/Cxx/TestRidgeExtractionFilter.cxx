@@ -40,12 +40,16 @@ bool IsElliptic(double type)
     type == vtkRidgeExtraction::MINIMUM_ELLIPTIC;
 }
 
-/// The output of an extraction from `marked` with properties set.
+/// The output of an extraction from `marked` with properties set, with all ridges, and types as P
+/// says.
 template <typename SetUp>
 vtkSmartPointer<vtkPolyData> Extract(vtkPolyData* marked, SetUp setUp)
 {
   vtkNew<vtkRidgeExtraction> extraction;
   extraction->SetInputData(marked);
+  extraction->SetTypeSignificance(0.0);
+  extraction->SetLoopSignificance(0.0);
+  extraction->SetZoneSignificance(0.0);
   setUp(extraction.GetPointer());
   extraction->Update();
   return extraction->GetOutput();
@@ -63,10 +67,12 @@ TEST(RidgeExtractionFilter, OutputsTheDocumentedArrays)
   EXPECT_EQ(ridges->GetNumberOfCells(), lines);
   EXPECT_EQ(ridges->GetPoints()->GetDataType(), VTK_DOUBLE);
   vtkCellData* cells = ridges->GetCellData();
-  EXPECT_EQ(cells->GetNumberOfArrays(), 7);
+  EXPECT_EQ(cells->GetNumberOfArrays(), 9);
   ExpectArray(cells, names::RidgeType, VTK_INT, 1, lines);
   ExpectArray(cells, names::Crest, VTK_INT, 1, lines);
   ExpectArray(cells, names::Sharpness, VTK_DOUBLE, 1, lines);
+  ExpectArray(cells, names::NearBorder, VTK_INT, 1, lines);
+  ExpectArray(cells, names::Confidence, VTK_DOUBLE, 1, lines);
   ExpectArray(cells, names::Strength, VTK_DOUBLE, 1, lines);
   ExpectArray(cells, names::Length, VTK_DOUBLE, 1, lines);
   ExpectArray(cells, names::RidgeId, VTK_ID_TYPE, 1, lines);

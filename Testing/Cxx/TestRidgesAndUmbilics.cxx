@@ -138,7 +138,7 @@ TEST(RidgesAndUmbilics, LeavesTheInputAsItIs)
 TEST(RidgesAndUmbilics, ForwardsEveryProperty)
 {
   const Mesh even = ToMesh(BlendData(16));
-  const auto mesh = ToPolyData(AddNormalNoise(even, 0.004 * MeanEdgeLength(even), 1));
+  const auto mesh = ToPolyData(AddNormalNoise(even, 0.05 * MeanEdgeLength(even), 1));
   Chain defaults(mesh);
   const std::vector<std::string> unchanged = defaults.Bytes();
   const auto expect = [&](const char* name, const auto& setStage, const auto& setFilter)

@@ -108,7 +108,7 @@ TEST(UmbilicDetectionFilter, OutputsTheDocumentedArrays)
   EXPECT_EQ(outputs.umbilics->GetNumberOfCells(), n);
   EXPECT_EQ(outputs.umbilics->GetPoints()->GetDataType(), VTK_DOUBLE);
   vtkPointData* data = outputs.umbilics->GetPointData();
-  EXPECT_EQ(data->GetNumberOfArrays(), 7);
+  EXPECT_EQ(data->GetNumberOfArrays(), 8);
   ExpectArray(data, names::UmbilicId, VTK_ID_TYPE, 1, n);
   ExpectArray(data, names::Index, VTK_DOUBLE, 1, n);
   ExpectArray(data, names::RidgeCount, VTK_INT, 1, n);
@@ -116,6 +116,7 @@ TEST(UmbilicDetectionFilter, OutputsTheDocumentedArrays)
   ExpectArray(data, names::Triangle, VTK_ID_TYPE, 1, n);
   ExpectArray(data, names::Pattern, VTK_INT, 1, n);
   ExpectArray(data, names::TouchesBorder, VTK_INT, 1, n);
+  ExpectArray(data, names::NearBorder, VTK_INT, 1, n);
 
   vtkCellData* cells = outputs.marked->GetCellData();
   ExpectArray(cells, names::UmbilicPatch, VTK_ID_TYPE, 1, mesh->GetNumberOfCells());
@@ -145,6 +146,7 @@ TEST(UmbilicDetectionFilter, OutputsTheDocumentedArrays)
     const double pattern = Value(data, names::Pattern, i);
     EXPECT_TRUE(index < 0.0 ? pattern == 3.0 : pattern == 1.0 || pattern == 2.0);
     EXPECT_EQ(Value(data, names::TouchesBorder, i), 0.0);
+    EXPECT_EQ(Value(data, names::NearBorder, i), 0.0);
     sum += index;
   }
   EXPECT_EQ(Value(field, names::UmbilicIndexSum, 0), sum);

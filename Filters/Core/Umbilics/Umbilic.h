@@ -19,6 +19,7 @@ struct Umbilic
   UmbilicPattern pattern;
   bool touchesBorder; ///< Whether the patch does.
   std::vector<Id> patch;
+  bool isNearBorder = false; ///< Whether fits there are one-sided.
 };
 
 /// The umbilic in a triangle, with all that the forms at its corners tell.
