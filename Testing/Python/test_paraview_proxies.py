@@ -89,7 +89,8 @@ class TestParaViewProxies(unittest.TestCase):
         return calls
 
     def test_every_class_has_a_proxy(self):
-        self.assertEqual(set(proxies()), set(vtkridges.__all__))
+        classes = {name for name in vtkridges.__all__ if name.startswith("vtk")}
+        self.assertEqual(set(proxies()), classes)
 
     def test_every_setter_has_a_property_and_the_other_way_round(self):
         for name, proxy in proxies().items():
