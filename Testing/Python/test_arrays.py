@@ -150,6 +150,7 @@ class TestArrays(unittest.TestCase):
             vtkridges.salient_ridges(self.points, inside_out)
         self.assertEqual([each.category for each in caught], [RuntimeWarning])
         self.assertNotIn("0x", str(caught[0].message))
+        self.assertEqual(caught[0].filename, __file__)
 
     def test_examples_in_the_docstrings(self):
         result = doctest.testmod(vtkridges.arrays)

@@ -5,6 +5,7 @@
 from __future__ import annotations
 
 import re
+import sys
 import warnings
 from typing import Any, Sequence
 
@@ -90,7 +91,15 @@ def run(mesh: Any, stages: Sequence[Any]) -> None:
     if errors:
         raise RuntimeError(errors[0])
     for note in notes:
-        warnings.warn(note, RuntimeWarning, stacklevel=3)
+        warnings.warn(note, RuntimeWarning, stacklevel=_depth())
+
+
+def _depth() -> int:
+    """The stack level, seen from the caller, of the line outside of this package."""
+    frame, depth = sys._getframe(1), 1
+    while frame.f_back and frame.f_globals.get("__name__", "").startswith(__package__ + "."):
+        frame, depth = frame.f_back, depth + 1
+    return depth
 
 
 def _fit_stages(mesh: Any) -> list[Any]:
