@@ -22,6 +22,8 @@ fi
 mkdir -p "$directory"
 [ -e "$directory/base/etc/debian_version" ] ||
   debootstrap --variant=minbase "$suite" "$directory/base" >"$directory/base.log"
+# Chroots need not outlive a power failure.
+echo force-unsafe-io >"$directory/base/etc/dpkg/dpkg.cfg.d/vtkridges"
 [ -e "$directory/build" ] || cp -a "$directory/base" "$directory/build"
 rm -rf --one-file-system "$directory/use"
 cp -a "$directory/base" "$directory/use"
