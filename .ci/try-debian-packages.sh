@@ -23,7 +23,7 @@ mkdir -p "$directory"
 [ -e "$directory/base/etc/debian_version" ] ||
   debootstrap --variant=minbase "$suite" "$directory/base" >"$directory/base.log"
 # Chroots need not outlive a power failure.
-echo force-unsafe-io >"$directory/base/etc/dpkg/dpkg.cfg.d/vtkridges"
+echo force-unsafe-io >"$directory/base/etc/dpkg/dpkg.cfg.d/unsafe-io"
 [ -e "$directory/build" ] || cp -a "$directory/base" "$directory/build"
 rm -rf --one-file-system "$directory/use"
 cp -a "$directory/base" "$directory/use"
@@ -38,15 +38,15 @@ for chroot in build use; do
   mkdir -p "$directory/$chroot/vtkridges"
   git -C "$root" archive HEAD | tar -x -m -C "$directory/$chroot/vtkridges"
 done
-compilers=()
+compilers=(${CMAKE_BUILD_PARALLEL_LEVEL:+"CMAKE_BUILD_PARALLEL_LEVEL=$CMAKE_BUILD_PARALLEL_LEVEL"})
 if [ -n "${CCACHE_DIR:-}" ]; then
   mkdir -p "$directory/build/ccache"
   mount --bind "$CCACHE_DIR" "$directory/build/ccache"
-  compilers=(CCACHE_DIR=/ccache CMAKE_C_COMPILER_LAUNCHER=ccache CMAKE_CXX_COMPILER_LAUNCHER=ccache)
+  compilers+=(CCACHE_DIR=/ccache CMAKE_C_COMPILER_LAUNCHER=ccache CMAKE_CXX_COMPILER_LAUNCHER=ccache)
   env -i "${variables[@]}" chroot "$directory/build" /vtkridges/.ci/install.sh ccache
 fi
 
-env -i "${variables[@]}" "${compilers[@]}" ${CMAKE_BUILD_PARALLEL_LEVEL:+"CMAKE_BUILD_PARALLEL_LEVEL=$CMAKE_BUILD_PARALLEL_LEVEL"} \
+env -i "${variables[@]}" "${compilers[@]}" \
   chroot "$directory/build" /vtkridges/.ci/debian-packages.sh
 mkdir -p "$directory/use/packages"
 cp "$directory"/build/vtkridges/build-debian/*.deb "$directory/use/packages"

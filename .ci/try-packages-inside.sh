@@ -21,7 +21,8 @@ remove() # PACKAGE...
 {
   "${apt[@]}" purge "$@" >/dev/null
   local left
-  left=$(find / -xdev \( -path "$root" -o -path "$packages" -o -path /proc -o -path /tmp \) -prune -o -iname '*ridges*' -print)
+  left=$(find / -xdev \( -path "$root" -o -path "$packages" -o -path /tmp \) -prune \
+    -o -iname '*ridges*' -print)
   left+=$(dpkg-query -W -f='${Package}\n' '*ridges*' 2>/dev/null || true)
   if [ -n "$left" ]; then
     echo "$0: left behind: $left" >&2
@@ -58,7 +59,8 @@ if apt-cache show python3-pyvista >/dev/null 2>&1; then
   "${apt[@]}" install --no-install-recommends python3-pyvista >/dev/null
   "${display[@]}" python3 "$root/Examples/Python/pyvista_salient.py" --picture salient.png
 fi
-"${display[@]}" python3 -B -m unittest discover -s "$root/Testing/Python" 2>python.log || { cat python.log; exit 1; }
+"${display[@]}" python3 -B -m unittest discover -s "$root/Testing/Python" 2>python.log ||
+  { cat python.log; exit 1; }
 tail -n 3 python.log
 python3 "$root/Examples/Python/salient.py"
 

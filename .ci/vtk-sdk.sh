@@ -29,7 +29,8 @@ directory=$(cd "$directory" && pwd)
 # The same server as for the packages of this machine, with lists of its own.
 site=$(apt-get indextargets --format '$(REPO_URI)' 'Created-By: Packages' 'Origin: Debian' | head -n 1)
 mkdir -p "$directory"/apt/{state/lists/partial,cache/archives/partial,debs}
-echo "deb [signed-by=$keys] ${site:?no package lists: apt-get update} $suite main" >"$directory/apt/sources.list"
+echo "deb [signed-by=$keys] ${site:?no package lists: apt-get update} $suite main" \
+  >"$directory/apt/sources.list"
 apt=(-qq -o "Dir::Etc::sourcelist=$directory/apt/sources.list" -o Dir::Etc::sourceparts=-
   -o "Dir::State=$directory/apt/state" -o "Dir::Cache=$directory/apt/cache" -o APT::Sandbox::User=root)
 apt-get "${apt[@]}" update >&2
@@ -83,12 +84,13 @@ sed -i -E \
   VTK-targets-*.cmake VTKPython-targets-*.cmake
 sed -i -E 's/^( *set\("\$\{CMAKE_FIND_PACKAGE_NAME\}_PYTHONPATH") .*/\1 "wheel")/' vtk-config.cmake
 # These are not linked, and Debian's packages of them are not here.
-sed -i -E 's/^set\("\$\{CMAKE_FIND_PACKAGE_NAME\}_HAS_(VISKORES|VTKm)" "ON"\)/set("${CMAKE_FIND_PACKAGE_NAME}_HAS_\1" "OFF")/' \
-  vtk-config.cmake
-sed -i -e "/^foreach *(_target \"viskores::/s/\"viskores::[a-z_]*\"//g" -e "s/nlohmann_json::nlohmann_json//" VTK-targets.cmake
+sed -i -E 's/^(set\("\$\{CMAKE_FIND_PACKAGE_NAME\}_HAS_(VISKORES|VTKm)") "ON"\)/\1 "OFF")/' vtk-config.cmake
+sed -i -e '/^foreach *(_target "viskores::/s/"viskores::[a-z_]*"//g' \
+  -e 's/nlohmann_json::nlohmann_json//' VTK-targets.cmake
 
 # The wheel is for one interpreter, and not for Debian's.
-sed -i -E "/find_package\(Python3/,/\)/s/^( *)3\.[0-9]+\$/\1${tag:2:1}.${tag:3}/" VTK-vtk-module-find-packages.cmake
+sed -i -E "/find_package\(Python3/,/\)/s/^( *)3\.[0-9]+\$/\1${tag:2:1}.${tag:3}/" \
+  VTK-vtk-module-find-packages.cmake
 
 # What differs in how the two were configured: Debian has TBB.
 sed -i -E \

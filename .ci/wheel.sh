@@ -49,7 +49,8 @@ fi
 display=(xvfb-run -a -s "-screen 0 1280x1024x24 -noreset")
 export PYTHONDONTWRITEBYTECODE=1
 "${display[@]}" "$work/env/bin/python" -m unittest discover -s "$root/Testing/Python"
-"${display[@]}" "$work/env/bin/python" "$root/Examples/Python/pyvista_salient.py" --picture "$work/salient.png"
+"${display[@]}" "$work/env/bin/python" "$root/Examples/Python/pyvista_salient.py" \
+  --picture "$work/salient.png"
 "$work/env/bin/pip" install -q mypy
 cat >typed.py <<'END'
 import vtkridges

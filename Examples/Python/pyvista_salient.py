@@ -4,8 +4,8 @@
 
     python3 pyvista_salient.py [MESH] [--fold-angle DEGREES] [--picture FILE.png]
 
-MESH is a surface in a file that PyVista reads; without it, it is the surface of RR-5294, Fig. 25. Without a
-picture a window opens.
+MESH is a surface in a file that PyVista reads; without it, it is the surface of RR-5294, Fig. 25.
+Without a picture a window opens.
 """
 
 import argparse

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkRidges contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""From numpy arrays to numpy arrays: points and triangles in, ridges, umbilics and curvature out."""
+"""From numpy arrays to numpy arrays: points and triangles in, ridges and curvature out."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ class Ridges:
     crest, closed : numpy.ndarray
         Whether the line is a crest line, and whether it is a loop.
     fold_angle : numpy.ndarray or None
-        The largest angle by which the surface folds across the line, in degrees, if it was computed.
+        The largest angle by which the surface folds across the line, in degrees, if computed.
     """
 
     points: Array
