@@ -86,4 +86,13 @@ step "ParaView"
 folder=$(dirname "$(dpkg -L paraview-ridges | grep '/Ridges.so$')")
 PV_PLUGIN_PATH=$folder "${display[@]}" pvpython "$root/Examples/ParaView/ridges.py"
 "${display[@]}" paraview-ridges --dr "--test-script=$root/Testing/ParaView/menu.xml" --exit
+mkdir moved
+cp -r "$folder" "$folder/../ridges.plugins.xml" moved
+
+step "remove"
 remove paraview-ridges
+
+step "the folder of the plugin elsewhere"
+PV_PLUGIN_PATH=$work/moved/Ridges "${display[@]}" pvbatch "$root/Examples/ParaView/ridges.py"
+PV_PLUGIN_CONFIG_FILE=$work/moved/ridges.plugins.xml \
+  "${display[@]}" pvbatch "$root/Examples/ParaView/ridges.py"
