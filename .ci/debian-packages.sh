@@ -31,5 +31,5 @@ for tree in vtk paraview; do
   (cd "$work/$tree" && cpack -B "$work/cpack-$tree" && mv "$work/cpack-$tree"/*.deb "$work")
 done
 
-lintian --fail-on error --suppress-tags-from-file "$root/Wrapping/Debian/lintian-suppressed" "$work"/*.deb
+lintian --fail-on error "$work"/*.deb
 ls -1sh "$work"/*.deb

@@ -8,7 +8,7 @@ set(next "${ParaView_VERSION_MAJOR}.${next}")
 ridges_debian_package(runtime paraview-ridges
   DEPENDS "paraview (>= ${series}), paraview (<< ${next}~)"
   SUMMARY "ridges and umbilics of triangle meshes, in ParaView"
-  DESCRIPTION "This package has the plugin Ridges, and paraview-ridges to start ParaView with it.")
+  DESCRIPTION "This package has the plugin, and paraview-ridges to start ParaView with it.")
 
 set(plugin_path "/usr/${CMAKE_INSTALL_LIBDIR}/paraview-${series}/plugins/Ridges")
 configure_file(paraview-ridges.in paraview-ridges @ONLY)

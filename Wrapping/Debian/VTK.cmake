@@ -9,7 +9,8 @@ ridges_debian_package(runtime libvtkridges
   SECTION libs
   SUMMARY "ridges and umbilics of triangle meshes, as VTK filters"
   DESCRIPTION "This package has the library, for VTK ${series}.")
-set(CPACK_DEBIAN_RUNTIME_PACKAGE_GENERATE_SHLIBS ON)
+set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS ON)
+set(CPACK_DEBIAN_RUNTIME_PACKAGE_CONTROL_EXTRA "${CMAKE_CURRENT_SOURCE_DIR}/library/triggers")
 
 ridges_debian_package(development libvtkridges-dev
   SECTION libdevel
@@ -26,7 +27,7 @@ ridges_debian_package(python python3-vtkridges
   SECTION python
   DEPENDS "${python_depends}"
   SUMMARY "ridges and umbilics of triangle meshes, for Python"
-  DESCRIPTION "This package has the Python package vtkridges, for VTK, numpy and PyVista.")
+  DESCRIPTION "This package has the Python package, for VTK, numpy and PyVista.")
 set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS "python3-pyvista")
 set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA
   "${CMAKE_CURRENT_SOURCE_DIR}/python/postinst;${CMAKE_CURRENT_SOURCE_DIR}/python/prerm")
@@ -34,6 +35,6 @@ set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA
 ridges_debian_package(program vtkridges
   DEPENDS "libvtkridges (= ${version})"
   SUMMARY "ridges and umbilics of triangle meshes, a program"
-  DESCRIPTION "This package has the program: from a mesh file to lines, umbilics and a picture.")
+  DESCRIPTION "This package has the program, which makes lines and a picture of a mesh.")
 
 set(CPACK_COMPONENTS_ALL runtime development python program)
