@@ -36,7 +36,7 @@ for chroot in build use; do
   mount -t proc proc "$directory/$chroot/proc"
   # Its build directory stays, for the next time.
   mkdir -p "$directory/$chroot/vtkridges"
-  git -C "$root" archive HEAD | tar -x -m -C "$directory/$chroot/vtkridges"
+  git -C "$root" -c tar.umask=0022 archive HEAD | tar -x -m -C "$directory/$chroot/vtkridges"
 done
 compilers=(${CMAKE_BUILD_PARALLEL_LEVEL:+"CMAKE_BUILD_PARALLEL_LEVEL=$CMAKE_BUILD_PARALLEL_LEVEL"})
 if [ -n "${CCACHE_DIR:-}" ]; then
