@@ -55,7 +55,7 @@ cmake --build Cxx
 ctest --test-dir Cxx --output-on-failure
 
 step "Python"
-if apt-cache show python3-pyvista >/dev/null 2>&1; then
+if apt-cache policy python3-pyvista | grep -q 'Candidate: [0-9]'; then
   "${apt[@]}" install --no-install-recommends python3-pyvista >/dev/null
   "${display[@]}" python3 "$root/Examples/Python/pyvista_salient.py" --picture salient.png
 fi
