@@ -82,17 +82,23 @@ remove "${vtk[@]}"
 
 step "ParaView"
 "${apt[@]}" purge python3-vtk9 >/dev/null # which python3-paraview cannot be beside
-"${apt[@]}" install --no-install-recommends "$packages"/paraview-ridges_*.deb python3-paraview >/dev/null
+"${apt[@]}" install --no-install-recommends python3-paraview \
+  "$packages"/{paraview-ridges,libvtkridges,vtkridges}_*.deb >/dev/null
 folder=$(dirname "$(dpkg -L paraview-ridges | grep '/Ridges.so$')")
 PV_PLUGIN_PATH=$folder "${display[@]}" pvpython "$root/Examples/ParaView/ridges.py"
 "${display[@]}" paraview-ridges --dr "--test-script=$root/Testing/ParaView/menu.xml" --exit
-mkdir moved
-cp -r "$folder" "$folder/../ridges.plugins.xml" moved
-
-step "remove"
-remove paraview-ridges
 
 step "the folder of the plugin elsewhere"
+mkdir moved
+cp -r "$folder" "$folder/../ridges.plugins.xml" moved
+"${apt[@]}" purge paraview-ridges >/dev/null
 PV_PLUGIN_PATH=$work/moved/Ridges "${display[@]}" pvbatch "$root/Examples/ParaView/ridges.py"
 PV_PLUGIN_CONFIG_FILE=$work/moved/ridges.plugins.xml \
   "${display[@]}" pvbatch "$root/Examples/ParaView/ridges.py"
+RIDGES_PLUGIN=$work/moved/Ridges/Ridges.so RIDGES_PROGRAM=/usr/bin/vtkridges \
+  RIDGES_PVSERVER=/usr/bin/pvserver RIDGES_MESH_DIRECTORY=$work \
+  PYTHONPATH=$root/Testing/ParaView python3 -B "$root/Testing/ParaView/test_client_and_server.py"
+
+step "remove"
+remove vtkridges libvtkridges
+rm -r "$work"
