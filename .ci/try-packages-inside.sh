@@ -95,6 +95,9 @@ cp -r "$folder" "$folder/../ridges.plugins.xml" moved
 PV_PLUGIN_PATH=$work/moved/Ridges "${display[@]}" pvbatch "$root/Examples/ParaView/ridges.py"
 PV_PLUGIN_CONFIG_FILE=$work/moved/ridges.plugins.xml \
   "${display[@]}" pvbatch "$root/Examples/ParaView/ridges.py"
+"${apt[@]}" download libcgal-demo # for the bunny
+dpkg-deb --fsys-tarfile libcgal-demo_*.deb | tar -xO --wildcards '*/data.tar.gz' |
+  tar -xz --strip-components 2 data/meshes/bunny00.off
 RIDGES_PLUGIN=$work/moved/Ridges/Ridges.so RIDGES_PROGRAM=/usr/bin/vtkridges \
   RIDGES_PVSERVER=/usr/bin/pvserver RIDGES_MESH_DIRECTORY=$work \
   PYTHONPATH=$root/Testing/ParaView python3 -B "$root/Testing/ParaView/test_client_and_server.py"
