@@ -32,6 +32,7 @@ mkdir -p "$directory"/apt/{state/lists/partial,cache/archives/partial,debs}
 echo "deb [signed-by=$keys] ${site:?no package lists: apt-get update} $suite main" \
   >"$directory/apt/sources.list"
 apt=(-qq -o "Dir::Etc::sourcelist=$directory/apt/sources.list" -o Dir::Etc::sourceparts=-
+  -o Acquire::Check-Valid-Until=false # a mirror may be a snapshot
   -o "Dir::State=$directory/apt/state" -o "Dir::Cache=$directory/apt/cache" -o APT::Sandbox::User=root)
 apt-get "${apt[@]}" update >&2
 full=$(apt-cache "${apt[@]}" show libvtk9-dev | sed -n 's/^Version: //p' | head -n 1)
