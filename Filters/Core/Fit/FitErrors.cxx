@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace ridges
 {
@@ -14,15 +15,36 @@ namespace
 constexpr double Factor = 140.0;
 constexpr double LeastFreedom = 9.0;
 
-/// Of b0 over the third-order tensor, and of k1 - k2: by what noise is magnified in the tensor, for
-/// even points.
+/// Of b0, over that of the third-order tensor.
 constexpr double ErrorOfExtremality = 0.6;
+
+/// Of k1 - k2, from the number of points of a fit and what it magnifies noise by in the tensor.
+/// That tells the degree: each of 4, 6 and 8 has its coefficients and its factors, over the root of
+/// the points that are more than these. As their number is an estimate, it is taken for a fifth
+/// more than the coefficients at least.
 double ErrorOfGap(double gain, double points)
 {
-  // Times the root of the number of points, the gain depends on the degree only: in degree 4 it is
-  // 130, and what k1 - k2 has 59; in degree 6 and 8 they are 730 and 154, 2400 and 330.
-  const double root = std::sqrt(points);
-  return 59.0 * std::pow(gain * root / 130.0, 0.58) / root;
+  struct Degree
+  {
+    double coefficients;
+    double ofTensor;
+    double ofGap;
+  };
+  constexpr Degree degrees[] = { { 15.0, 130.0, 59.0 }, { 28.0, 730.0, 154.0 },
+    { 45.0, 2400.0, 330.0 } };
+  double nearest = std::numeric_limits<double>::infinity();
+  double error = 0.0;
+  for (const Degree& degree : degrees)
+  {
+    const double freedom = std::max(0.2 * degree.coefficients, points - degree.coefficients);
+    const double off = std::abs(std::log(gain * std::sqrt(freedom) / degree.ofTensor));
+    if (off < nearest)
+    {
+      nearest = off;
+      error = degree.ofGap / std::sqrt(freedom);
+    }
+  }
+  return error;
 }
 
 /// The same to the last digit whatever the order of the three.
@@ -105,9 +127,10 @@ double FromResiduals(const TriangleMesh& mesh, const FitErrorSource& source, Id 
   double factor = Factor / std::sqrt(std::max(LeastFreedom, points - coefficients));
   if (source.noiseGain && source.noiseGain[point] > 0.0)
   {
+    // With few points more than coefficients residuals say too little to trust a lower estimate.
     const double gain = source.noiseGain[point];
-    factor =
-      Order == 1 ? ErrorOfGap(gain, std::max(LeastFreedom, points)) : ErrorOfExtremality * gain;
+    const double byGain = Order == 1 ? ErrorOfGap(gain, points) : ErrorOfExtremality * gain;
+    factor = points < 2.0 * coefficients ? std::max(factor, byGain) : byGain;
   }
   // Below this all is rounding: the surface is a polynomial to ten digits over the fitted radius.
   constexpr double rounding = 1e-10;
@@ -163,7 +186,7 @@ bool MayBeWeak(const MongeField& field, const FitErrorSource& source, double sig
   }
   // LeastFreedom under the root
   const double mostError = source.noiseGain && source.noiseGain[point] > 0.0
-    ? ErrorOfGap(source.noiseGain[point], LeastFreedom)
+    ? ErrorOfGap(source.noiseGain[point], 0.0)
     : Factor / 3.0;
   constexpr double mostOfNeighbors = 4.0;
   const double scale = source.fitScale[point];
