@@ -162,7 +162,7 @@ TEST(RidgesAndUmbilics, ForwardsEveryProperty)
     })
   EXPECT_FORWARDED(jets, Degree, 6);
   EXPECT_FORWARDED(jets, Neighborhood, vtkJetFitting::BY_RINGS);
-  EXPECT_FORWARDED(jets, MinimumNumberOfPoints, 40);
+  EXPECT_FORWARDED(jets, MinimumNumberOfPoints, 400);
   EXPECT_FORWARDED(jets, Weighting, vtkJetFitting::GAUSSIAN);
   EXPECT_FORWARDED(jets, StandardErrors, true);
   EXPECT_FORWARDED(umbilics, Method, vtkUmbilicDetection::MINIMA);
@@ -171,7 +171,6 @@ TEST(RidgesAndUmbilics, ForwardsEveryProperty)
   EXPECT_FORWARDED(ridges, TypeRule, vtkRidgeExtraction::THIRD_ORDER);
   EXPECT_FORWARDED(ridges, CrossingRule, vtkRidgeExtraction::LINEAR);
   EXPECT_FORWARDED(ridges, UmbilicJoining, vtkRidgeExtraction::TRIANGLES);
-  EXPECT_FORWARDED(ridges, LoopSignificance, 100.0);
   EXPECT_FORWARDED(ridges, TypeSignificance, 100.0);
   EXPECT_FORWARDED(ridges, TypeHysteresis, 10.0);
   EXPECT_FORWARDED(ridges, ComputeFoldAngle, true);
@@ -187,6 +186,19 @@ TEST(RidgesAndUmbilics, ForwardsEveryProperty)
   EXPECT_FORWARDED(selection, CrestOnly, true);
 #undef EXPECT_FORWARDED
 
+  // Automatic fits leave no loops that noise may have caused.
+  expect(
+    "LoopSignificance",
+    [](Chain& chain)
+    {
+      chain.jets->SetNeighborhoodToPointCount();
+      chain.ridges->SetLoopSignificance(100.0);
+    },
+    [](vtkRidgesAndUmbilics* filter)
+    {
+      filter->SetNeighborhoodToPointCount();
+      filter->SetLoopSignificance(100.0);
+    });
   expect(
     "NumberOfRings",
     [](Chain& chain)
