@@ -17,8 +17,7 @@
  *
  * Output port 0: a polyline per run of one type of a ridge. Consecutive ones of one ridge share
  * their end point and RidgeId. Arrays: on cells RidgeType (see RidgeTypes), Crest, Closed, RidgeId,
- * Length, Strength and, of fourth order, Sharpness and Confidence,
- * and NearBorder; on points Curvature,
+ * NearBorder, Length, Strength and, of fourth order, Sharpness and Confidence; on points Curvature,
  * SecondDerivative (fourth order), Umbilic, TurningPoint, EdgePoint0, EdgePoint1 and EdgeParameter.
  * ComputeFoldAngle adds FoldAngle on points and cells, FoldWidth on points, and NoiseFloor in field
  * data.
