@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <functional>
 #include <limits>
+#include <queue>
 #include <utility>
 
 namespace ridges
@@ -14,43 +15,33 @@ namespace
 
 using Entry = std::pair<double, Id>; ///< Distance and point.
 
-/// The points on edges that have no second triangle.
-std::vector<Entry> PointsOnBorder(const TriangleMesh& mesh, std::vector<double>& distances)
-{
-  std::vector<Entry> queue;
-  for (Id e = 0; e < mesh.NumberOfEdges(); ++e)
-  {
-    const Edge& edge = mesh.EdgeAt(e);
-    for (const Id p : { edge.v0, edge.v1 })
-    {
-      if (edge.t1 < 0 && distances[p] > 0.0)
-      {
-        distances[p] = 0.0;
-        queue.emplace_back(0.0, p);
-      }
-    }
-  }
-  return queue;
-}
-
 } // namespace
 
 std::vector<std::uint8_t> BorderStrip(const TriangleMesh& mesh, const double* radii)
 {
   const auto count = static_cast<std::size_t>(mesh.NumberOfPoints());
-  std::vector<double> distances(count, std::numeric_limits<double>::infinity());
-  std::vector<Entry> queue = PointsOnBorder(mesh, distances);
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
+  for (Id p = 0; p < mesh.NumberOfPoints(); ++p)
+  {
+    if (mesh.OnBorder(p))
+    {
+      queue.emplace(0.0, p);
+    }
+  }
   if (queue.empty())
   {
     return {};
   }
+  std::vector<double> distances(count);
+  for (Id p = 0; p < mesh.NumberOfPoints(); ++p)
+  {
+    distances[p] = mesh.OnBorder(p) ? 0.0 : std::numeric_limits<double>::infinity();
+  }
   const double farthest = radii && count > 0 ? *std::max_element(radii, radii + count) : 0.0;
-  std::make_heap(queue.begin(), queue.end(), std::greater<Entry>());
   while (!queue.empty())
   {
-    std::pop_heap(queue.begin(), queue.end(), std::greater<Entry>());
-    const auto [distance, p] = queue.back();
-    queue.pop_back();
+    const auto [distance, p] = queue.top();
+    queue.pop();
     if (distance > distances[p])
     {
       continue;
@@ -63,8 +54,7 @@ std::vector<std::uint8_t> BorderStrip(const TriangleMesh& mesh, const double* ra
         if (there < distances[q] && there <= farthest)
         {
           distances[q] = there;
-          queue.emplace_back(there, q);
-          std::push_heap(queue.begin(), queue.end(), std::greater<Entry>());
+          queue.emplace(there, q);
         }
       }
     }
