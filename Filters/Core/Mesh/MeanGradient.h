@@ -3,6 +3,9 @@
 #ifndef ridges_MeanGradient_h
 #define ridges_MeanGradient_h
 
+#include "Mesh/Triangle.h"
+#include "Mesh/TriangleMesh.h"
+
 #include <Eigen/Geometry>
 
 namespace ridges
@@ -35,6 +38,22 @@ private:
   Eigen::Vector3d Sum_ = Eigen::Vector3d::Zero();
   double Area_ = 0.0;
 };
+
+/// Of a function that rises by rise(q) from p to its neighbour q.
+template <typename Rise>
+MeanGradient GradientAround(const TriangleMesh& mesh, Id p, const Rise& rise)
+{
+  MeanGradient gradient;
+  for (const Id t : mesh.TrianglesAround(p))
+  {
+    const Triangle& c = mesh.Corners(t);
+    const int corner = CornerOf(c, p);
+    const Id q = c[(corner + 1) % 3];
+    const Id r = c[(corner + 2) % 3];
+    gradient.Add(mesh.Point(q) - mesh.Point(p), mesh.Point(r) - mesh.Point(p), rise(q), rise(r));
+  }
+  return gradient;
+}
 
 } // namespace ridges
 

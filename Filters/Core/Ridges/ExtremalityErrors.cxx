@@ -3,7 +3,7 @@
 #include "Ridges/ExtremalityErrors.h"
 
 #include "Mesh/CoordinateRounding.h"
-#include "Mesh/MeanGradient.h"
+#include "Monge/CurvatureSlope.h"
 
 #include <algorithm>
 #include <cmath>
@@ -170,8 +170,6 @@ ExtremalityErrors::Surroundings ExtremalityErrors::LookAround(Id p) const
   around.isFlagged = !isFlagged.empty() && isFlagged[p] != 0;
   double heights = squaredHeight(p);
   double points = 1.0;
-  MeanGradient gradient;
-  const double k = this->Source_.field.Curvature(this->Color_, p);
   for (const Id t : mesh.TrianglesAround(p))
   {
     const Triangle& c = mesh.Corners(t);
@@ -182,12 +180,9 @@ ExtremalityErrors::Surroundings ExtremalityErrors::LookAround(Id p) const
       around.isFlagged || (!isFlagged.empty() && (isFlagged[q] != 0 || isFlagged[r] != 0));
     heights += 0.5 * (squaredHeight(q) + squaredHeight(r));
     points += 1.0;
-    gradient.Add(mesh.Point(q) - mesh.Point(p), mesh.Point(r) - mesh.Point(p),
-      this->Source_.field.Curvature(this->Color_, q) - k,
-      this->Source_.field.Curvature(this->Color_, r) - k);
   }
   around.height = std::sqrt(heights / points);
-  around.derivative = gradient.Along(this->Source_.field.Direction(this->Color_, p));
+  around.derivative = CurvatureSlope(mesh, this->Source_.field, this->Color_, p);
   return around;
 }
 

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Ridges/SmallLoops.h"
 
-#include "Mesh/MeanGradient.h"
-#include "Mesh/Triangle.h"
+#include "Monge/CurvatureSlope.h"
 
 #include <algorithm>
 #include <cmath>
@@ -46,21 +45,10 @@ bool SmallLoops::IsInsignificant(Id point) const
 /// cannot follow shows here, even if little is left over.
 double SmallLoops::Difference(Id point) const
 {
-  const TriangleMesh& mesh = this->Crossings_.Mesh();
   const MongeField& field = this->Crossings_.Field();
   const Color color = this->Crossings_.RidgeColor();
-  const double here = field.Curvature(color, point);
-  MeanGradient gradient;
-  for (const Id t : mesh.TrianglesAround(point))
-  {
-    const Triangle& c = mesh.Corners(t);
-    const int corner = CornerOf(c, point);
-    const Id q = c[(corner + 1) % 3];
-    const Id r = c[(corner + 2) % 3];
-    gradient.Add(mesh.Point(q) - mesh.Point(point), mesh.Point(r) - mesh.Point(point),
-      field.Curvature(color, q) - here, field.Curvature(color, r) - here);
-  }
-  return field.Extremality(color, point) - gradient.Along(field.Direction(color, point));
+  return field.Extremality(color, point) -
+    CurvatureSlope(this->Crossings_.Mesh(), field, color, point);
 }
 
 SmallLoops::Part SmallLoops::FindPart(Id start, const Fence& fence) const

@@ -3,11 +3,8 @@
 #include "Ridges/TypeErrors.h"
 
 #include "Mesh/MeanGradient.h"
-#include "Mesh/Triangle.h"
-#include "Mesh/TriangleMesh.h"
 #include "Monge/AcuteRule.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace ridges
@@ -63,18 +60,9 @@ double TypeErrors::SlopeAt(Color color, Id p) const
   const double here = this->Field_.Extremality(color, p);
   const auto rise = [this, color, p, here](Id q)
   { return AcuteSign(this->Field_, p, q) * this->Field_.Extremality(color, q) - here; };
-  MeanGradient gradient;
-  for (const Id t : this->Mesh_.TrianglesAround(p))
-  {
-    const Triangle& c = this->Mesh_.Corners(t);
-    const int corner = CornerOf(c, p);
-    const Id q = c[(corner + 1) % 3];
-    const Id r = c[(corner + 2) % 3];
-    gradient.Add(this->Mesh_.Point(q) - this->Mesh_.Point(p),
-      this->Mesh_.Point(r) - this->Mesh_.Point(p), rise(q), rise(r));
-  }
+  const double slope = GradientAround(this->Mesh_, p, rise).Along(this->Field_.Direction(color, p));
   const double gap = this->Field_.k1[p] - this->Field_.k2[p];
-  return (color == Color::Blue ? gap : -gap) * gradient.Along(this->Field_.Direction(color, p));
+  return (color == Color::Blue ? gap : -gap) * slope;
 }
 
 template <typename AtPoint>
@@ -88,11 +76,10 @@ std::vector<double> TypeErrors::Along(const RidgeTrace& trace, const AtPoint& at
     const RidgeVertex& vertex = trace.vertices[i];
     if (isOnEdge(i))
     {
-      // The parameter starts at the smaller number.
       const Edge& edge = this->Mesh_.EdgeAt(vertex.edge);
       const double t = vertex.point.parameter;
-      values[i] = (1.0 - t) * atPoint(vertex.point.color, std::min(edge.v0, edge.v1)) +
-        t * atPoint(vertex.point.color, std::max(edge.v0, edge.v1));
+      values[i] =
+        (1.0 - t) * atPoint(vertex.point.color, edge.v0) + t * atPoint(vertex.point.color, edge.v1);
     }
     else if (i > 0)
     {
