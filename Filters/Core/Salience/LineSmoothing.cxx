@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Salience/LineSmoothing.h"
 
+#include "Salience/Trail.h"
 #include "Umbilics/UmbilicForm.h"
 
 #include <Eigen/Geometry>
@@ -23,87 +24,58 @@ double Bell(double ratio)
   return std::exp(-0.5 * ratio * ratio) - std::exp(-0.5 * Reach * Reach);
 }
 
-/// The vertices of a line with their distances, those of a closed one going around.
-class Track
+/// The average of a line around a point.
+Eigen::Vector3d Average(
+  const std::vector<RidgeVertex>& vertices, const Trail& trail, Id point, double deviation)
 {
-public:
-  Track(const std::vector<RidgeVertex>& vertices, bool closed)
-    : Vertices_(vertices)
-    , Closed_(closed)
-    , Pieces_(static_cast<Id>(vertices.size()) - 1)
-    , Arc_(vertices.size(), 0.0)
+  const Eigen::Vector3d& center = vertices[point].point.position;
+  if (!(deviation > 0.0))
   {
-    for (Id i = 0; i < this->Pieces_; ++i)
-    {
-      this->Arc_[i + 1] = this->Arc_[i] + (this->At(i + 1) - this->At(i)).norm();
-    }
+    return center;
   }
-
-  /// The average around a vertex, with a Gaussian that does not reach over the ends.
-  Eigen::Vector3d Average(Id vertex, double sigma) const
+  // Both sides on their own: a line turned around gives the same.
+  Eigen::Vector3d sums[2] = { Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero() };
+  double weights[2] = { 0.0, 0.0 };
+  for (const bool forward : { false, true })
   {
-    const double length = this->Arc_.back();
-    const double toEnd =
-      this->Closed_ ? 0.5 * length : std::min(this->Arc_[vertex], length - this->Arc_[vertex]);
-    const double deviation = std::min(sigma, toEnd / Reach);
-    const Eigen::Vector3d& center = this->At(vertex);
-    if (!(deviation > 0.0))
+    double distance = 0.0;
+    for (Id at = point; trail.Piece(at, forward) >= 0;)
     {
-      return center;
-    }
-    // Both sides on their own: a line turned around gives the same.
-    Eigen::Vector3d sums[2] = { Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero() };
-    double weights[2] = { 0.0, 0.0 };
-    for (const int side : { 0, 1 })
-    {
-      double distance = 0.0;
-      for (Id at = vertex; this->HasPiece(at, side);)
+      distance += trail.LengthOf(trail.Piece(at, forward));
+      if (distance > Reach * deviation)
       {
-        distance += this->PieceLength(at, side);
-        if (distance > Reach * deviation)
-        {
-          break;
-        }
-        at = this->Next(at, side);
-        const double ratio = distance / deviation;
-        const double weight = this->Share(at) * Bell(ratio);
-        sums[side] += weight * (this->At(at) - center);
-        weights[side] += weight;
+        break;
       }
+      at = trail.Next(at, forward);
+      const double weight = trail.LengthAt(at) * Bell(distance / deviation);
+      sums[forward ? 1 : 0] += weight * (vertices[at].point.position - center);
+      weights[forward ? 1 : 0] += weight;
     }
-    const double all = this->Share(vertex) * Bell(0.0) + (weights[0] + weights[1]);
-    return all > 0.0 ? Eigen::Vector3d(center + (sums[0] + sums[1]) / all) : center;
   }
+  const double all = trail.LengthAt(point) * Bell(0.0) + (weights[0] + weights[1]);
+  return all > 0.0 ? Eigen::Vector3d(center + (sums[0] + sums[1]) / all) : center;
+}
 
-private:
-  const Eigen::Vector3d& At(Id vertex) const { return this->Vertices_[vertex].point.position; }
-  Id Next(Id vertex, int side) const
+/// The averages around all points, with a Gaussian that does not reach over the ends.
+std::vector<Eigen::Vector3d> Averages(
+  const std::vector<RidgeVertex>& vertices, bool closed, double sigma)
+{
+  const Trail trail(vertices, closed);
+  double length = 0.0;
+  for (Id i = 0; i < trail.NumberOfPoints(); ++i)
   {
-    const Id next = vertex + (side == 1 ? 1 : -1);
-    return this->Closed_ ? (next + this->Pieces_) % this->Pieces_ : next;
+    length += trail.LengthOf(trail.PieceBehind(i));
   }
-  bool HasPiece(Id vertex, int side) const
+  std::vector<Eigen::Vector3d> averages;
+  double arc = 0.0;
+  for (Id i = 0; i < trail.NumberOfPoints(); ++i)
   {
-    return this->Closed_ || (side == 1 ? vertex < this->Pieces_ : vertex > 0);
+    const double toEnd = closed ? 0.5 * length : std::min(arc, length - arc);
+    averages.push_back(Average(vertices, trail, i, std::min(sigma, toEnd / Reach)));
+    arc += trail.LengthOf(trail.PieceBehind(i));
   }
-  double PieceLength(Id vertex, int side) const
-  {
-    const Id piece = side == 1 ? vertex : (vertex > 0 ? vertex : this->Pieces_) - 1;
-    return this->Arc_[piece + 1] - this->Arc_[piece];
-  }
-  /// The length of the line that a vertex stands for.
-  double Share(Id vertex) const
-  {
-    const double before = this->HasPiece(vertex, 0) ? this->PieceLength(vertex, 0) : 0.0;
-    const double behind = this->HasPiece(vertex, 1) ? this->PieceLength(vertex, 1) : 0.0;
-    return 0.5 * (before + behind);
-  }
-
-  const std::vector<RidgeVertex>& Vertices_;
-  bool Closed_;
-  Id Pieces_;
-  std::vector<double> Arc_;
-};
+  return averages;
+}
 
 Eigen::Vector3d NearestOnSegment(
   const Eigen::Vector3d& x, const Eigen::Vector3d& a, const Eigen::Vector3d& b)
@@ -148,13 +120,8 @@ void LineSmoother::Smooth(bool closed, std::vector<RidgeVertex>& vertices)
   {
     return;
   }
-  const Track track(vertices, closed);
+  const std::vector<Eigen::Vector3d> places = Averages(vertices, closed, this->Sigma_);
   const std::size_t last = vertices.size() - 1;
-  std::vector<Eigen::Vector3d> places(vertices.size());
-  for (std::size_t i = 0; i < last; ++i)
-  {
-    places[i] = track.Average(static_cast<Id>(i), this->Sigma_);
-  }
   for (std::size_t i = closed ? 0 : 1; i < last; ++i)
   {
     RidgeVertex& vertex = vertices[i];
