@@ -157,11 +157,11 @@ int vtkRidgeExtraction::RequestData(
   search.SetLoopSignificance(this->LoopSignificance);
   search.SetZoneSignificance(this->ExtremalityRule == PRINCIPAL ? this->ZoneSignificance : 0.0);
   search.SetTypeSignificance(this->TypeSignificance);
+  search.SetMeasuresTypes(true);
   search.SetShortestRun(
     this->TypeHysteresis > 0.0 ? this->TypeHysteresis * triangles.MeanEdgeLength() : 0.0);
   vtkRidgesPolylines lines(mesh, umbilics, cutOff, modelSize);
   lines.SetCrestOnly(this->CrestOnly);
-  lines.SetTypeErrors(search.GetTypeErrors());
   lines.SetBorderStrip(ridges::BorderStrip(triangles, monge.arrays.GetErrors().fitScale));
 
   const bool gaussian = this->ExtremalityRule == GAUSSIAN;

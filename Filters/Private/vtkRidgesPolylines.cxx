@@ -3,7 +3,6 @@
 #include "vtkRidgesPolylines.h"
 
 #include "Core/Mesh/BorderStrip.h"
-#include "Core/Ridges/TypeRuns.h"
 #include "vtkRidgesArrayNames.h"
 #include "vtkRidgesMesh.h"
 #include "vtkRidgesUmbilicMarks.h"
@@ -70,14 +69,13 @@ double LargestAngle(const ridges::RidgeFolds& folds, const ridges::RidgeRun& run
   return vtkMath::DegreesFromRadians(largest);
 }
 
-/// The share of the sure lengths of a run in its length; 0 of a run without any.
-double ShareOf(
-  const std::vector<double>& sureLengths, const ridges::RidgeRun& run, double lengthOfRun)
+/// The share of its sure lengths in the length of a run; 0 without any.
+double ShareOfSure(const ridges::RidgeTrace& ridge, const ridges::RidgeRun& run, double lengthOfRun)
 {
   double sure = 0.0;
-  for (Id i = run.first; i < run.last; ++i)
+  for (Id i = run.first; i < run.last && !ridge.sureLengths.empty(); ++i)
   {
-    sure += sureLengths[i];
+    sure += ridge.sureLengths[i];
   }
   return lengthOfRun > 0.0 ? std::min(sure / lengthOfRun, 1.0) : 0.0;
 }
@@ -142,11 +140,6 @@ void vtkRidgesPolylines::AddRidge(const ridges::RidgeTrace& ridge, const ridges:
     return ids[slot];
   };
 
-  // By this many standard errors P is on the right side of 0 in 97.5 % of all cases.
-  constexpr double significance = 2.0;
-  const std::vector<double> sureLengths = this->TypeErrors
-    ? ridges::SureLengthsOf(ridge, *this->TypeErrors, significance)
-    : std::vector<double>(ridge.types.size(), 0.0);
   const vtkIdType ridgeId = this->NextRidgeId++;
   const Id last = static_cast<Id>(ridge.types.size()) - 1;
   vtkNew<vtkIdList> line;
@@ -185,7 +178,7 @@ void vtkRidgesPolylines::AddRidge(const ridges::RidgeTrace& ridge, const ridges:
     this->Crest->InsertNextValue(crest ? 1 : 0);
     this->Sharpness->InsertNextValue(measures.rawSharpness * this->ModelSize * this->ModelSize);
     this->Strength->InsertNextValue(measures.strength);
-    this->Confidence->InsertNextValue(ShareOf(sureLengths, run, measures.length));
+    this->Confidence->InsertNextValue(ShareOfSure(ridge, run, measures.length));
     this->Length->InsertNextValue(measures.length);
     this->RidgeId->InsertNextValue(ridgeId);
     this->Closed->InsertNextValue(ridge.closed ? 1 : 0);

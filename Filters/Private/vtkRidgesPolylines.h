@@ -6,7 +6,6 @@
 #include "Core/Base/Monitor.h"
 #include "Core/Ridges/RidgeMeasures.h"
 #include "Core/Ridges/RidgeTrace.h"
-#include "Core/Ridges/TypeErrors.h"
 #include "Core/Salience/FoldAngle.h"
 #include "vtkRidgesCompatibility.h"
 
@@ -41,9 +40,6 @@ public:
 
   void SetCrestOnly(bool crestOnly) { this->CrestOnly = crestOnly; }
 
-  /// For the confidence in types, which is put out with the fourth order.
-  void SetTypeErrors(const ridges::TypeErrors& errors) { this->TypeErrors = &errors; }
-
   /// Points at which fits are one-sided: see ridges::BorderStrip.
   void SetBorderStrip(std::vector<std::uint8_t> strip) { this->BorderStrip = std::move(strip); }
 
@@ -65,7 +61,6 @@ private:
   const ridges::UmbilicCutOff& CutOff;
   double ModelSize;
   bool CrestOnly = false;
-  const ridges::TypeErrors* TypeErrors = nullptr;
   std::vector<std::uint8_t> BorderStrip;
 
   vtkIdType NextRidgeId = 0;

@@ -100,6 +100,7 @@ struct TraceRidges
   double shortestRun;
   double typeSignificance;
   const ridges::TypeErrors& typeErrors;
+  bool measuresTypes;
   std::vector<ridges::RidgeTrace>& traces;
 
   void operator()(vtkIdType begin, vtkIdType end)
@@ -121,6 +122,12 @@ struct TraceRidges
       {
         ridges::AbsorbShortRuns(trace, this->shortestRun);
         ridges::MakeCanonical(this->crossings.Mesh(), trace);
+      }
+      if (this->measuresTypes)
+      {
+        // By this many standard errors P is on the right side of 0 in 97.5 % of all cases.
+        constexpr double significance = 2.0;
+        trace.sureLengths = ridges::SureLengthsOf(trace, this->typeErrors, significance);
       }
     }
   }
@@ -282,7 +289,8 @@ bool vtkRidgesSearch::Trace(vtkAlgorithm* filter, double from, double to,
     this->ExtremalityRule == ridges::ExtremalityRule::Principal;
   found.resize(whole.size());
   TraceRidges trace{ whole, pieces.segments, pieces.paths, crossings, this->TypeRule, lookup,
-    this->ShortestRun, byP ? this->TypeSignificance : 0.0, this->TypeErrors, found };
+    this->ShortestRun, byP ? this->TypeSignificance : 0.0, this->TypeErrors, this->MeasuresTypes,
+    found };
   if (!vtkRidgesForBatches(filter, static_cast<vtkIdType>(whole.size()), from, to, trace))
   {
     return false;

@@ -38,7 +38,8 @@ public:
   void SetShortestRun(double length) { this->ShortestRun = length; }
   void SetTypeSignificance(double significance) { this->TypeSignificance = significance; }
 
-  const ridges::TypeErrors& GetTypeErrors() const { return this->TypeErrors; }
+  /// Whether traces get their sureLengths.
+  void SetMeasuresTypes(bool measures) { this->MeasuresTypes = measures; }
 
   /// The ridges of a colour, or with the Gaussian rule those of both, in canonical form and order;
   /// and, if wanted, the zones in which ridges were left out.
@@ -87,6 +88,7 @@ private:
   double ZoneSignificance = 0.0;
   double ShortestRun = 0.0;
   double TypeSignificance = 0.0;
+  bool MeasuresTypes = false;
 };
 
 #endif

@@ -31,6 +31,9 @@ struct RidgeTrace
   std::vector<RidgeType> types;
   bool closed = false;
 
+  /// Of each piece, what SureLengthsOf in TypeRuns.h gives; empty if it was not asked for.
+  std::vector<double> sureLengths;
+
   /// Whether a piece is a crest line: elliptic, and the own curvature is the larger in absolute
   /// value (section 7.2).
   bool IsCrest(Id piece) const;
