@@ -13,7 +13,9 @@
 #include "vtkMongeSmoothing.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
+#include "vtkPoints.h"
 #include "vtkRidgesArrayNames.h"
+#include "vtkStringArray.h"
 
 #include <gtest/gtest.h>
 
@@ -242,6 +244,32 @@ TEST(JetFittingScale, AutomaticDoesNotDependOnTheNumbering)
       ASSERT_EQ(Value(actual->GetPointData(), name, id),
         Value(expected->GetPointData(), name, newToOld[p]));
     }
+  }
+}
+
+TEST(JetFittingScale, AutomaticDoesNotDependOnTheUnitOfLength)
+{
+  // Coarse, so that the surface folds over within some neighbourhoods.
+  const vtkSmartPointer<vtkPolyData> mesh = BlendData(6);
+  const auto choiceAt = [&mesh](double unit)
+  {
+    vtkNew<vtkPolyData> scaled;
+    scaled->DeepCopy(mesh);
+    for (vtkIdType p = 0; p < scaled->GetNumberOfPoints(); ++p)
+    {
+      const Eigen::Vector3d x = unit * PointAt(mesh, p);
+      scaled->GetPoints()->SetPoint(p, x.data());
+    }
+    vtkNew<vtkJetFitting> jets;
+    jets->SetInputData(scaled);
+    jets->Update();
+    vtkFieldData* field = jets->GetOutput()->GetFieldData();
+    return vtkStringArray::SafeDownCast(field->GetAbstractArray(names::SelectedFit))->GetValue(0);
+  };
+  // Powers of two: not a digit changes.
+  for (const double unit : { 1.0 / 64.0, 64.0, 4096.0 })
+  {
+    EXPECT_EQ(choiceAt(unit), choiceAt(1.0)) << unit;
   }
 }
 

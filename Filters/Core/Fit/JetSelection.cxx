@@ -140,9 +140,9 @@ void JetSelection::Add(const std::vector<JetTrial>& trials)
     this->Edge_ = radii / static_cast<double>(RingsToTry.front() * trials.size());
   }
   this->Noise_.push_back(NoiseOf(trials));
-  const auto folded =
-    std::count_if(trials.begin(), trials.end(), [](const JetTrial& trial) { return trial.folds; });
-  this->Folds_.push_back(2 * static_cast<std::size_t>(folded) > trials.size() ? 1 : 0);
+  const auto steep = std::count_if(
+    trials.begin(), trials.end(), [](const JetTrial& trial) { return trial.isSteep; });
+  this->IsSteep_.push_back(2 * static_cast<std::size_t>(steep) > trials.size() ? 1 : 0);
   for (std::size_t group = 0; group < this->Groups_.size(); ++group)
   {
     this->Groups_[group].push_back(this->TermsOf(trials, group));
@@ -252,7 +252,7 @@ double JetSelection::MeanError(std::size_t step, int degree, int averages) const
     const double variance = this->NoiseAt(step) * group[step].variance[degree];
     const double squaredBias = this->SquaredBias(group, step, degree);
     const double ofDegree4 = averages > 0 ? this->SquaredBias(group, step, 1) : 0.0;
-    if (this->Folds_[step] != 0 || variance < 0.0 || squaredBias < 0.0 || ofDegree4 < 0.0)
+    if (this->IsSteep_[step] != 0 || variance < 0.0 || squaredBias < 0.0 || ofDegree4 < 0.0)
     {
       return -1.0;
     }

@@ -79,8 +79,8 @@ private:
   std::size_t Step_ = 0;
   std::vector<std::vector<std::size_t>> Sample_; ///< Of each group.
   std::vector<Group> Groups_;
-  std::vector<double> Noise_;       ///< Variance of each number of rings.
-  std::vector<std::uint8_t> Folds_; ///< Whether it folds over on so many, at every second point.
+  std::vector<double> Noise_;         ///< Variance of each number of rings.
+  std::vector<std::uint8_t> IsSteep_; ///< Whether so many are, at every second point: see JetTrial.
   double Edge_ = 0.0;
   double Least_ = 0.0;
   bool IsPastLeast_ = false;

@@ -100,7 +100,7 @@ JetTrial JetProbe::Try(Id vertex, int numberOfRings, int bands)
     return trial;
   }
   trial.radius = this->Radius_;
-  trial.folds = this->Folds_;
+  trial.isSteep = this->IsSteep_;
   while (bands > 0 && this->Local_.cols() < FewestPoints(JetTrial::DegreeOf(bands - 1)))
   {
     --bands;
@@ -147,22 +147,18 @@ bool JetProbe::SetHeights(Id vertex, int numberOfRings)
   {
     return false;
   }
-  this->Folds_ = this->FoldsOver(points, axis);
+  this->IsSteep_ = this->IsSteep();
   this->TurnToPrincipalAxes();
   return true;
 }
 
-/// Whether the surface is nearly upright somewhere.
-bool JetProbe::FoldsOver(Span<Id> points, const Eigen::Vector3d& axis) const
+/// By the chords from the vertex: on a circle that turns by 44 degrees they get so steep.
+bool JetProbe::IsSteep() const
 {
-  constexpr double steep =
-    0.4; // Chords of a circle are less so if it turns by less than 44 degrees.
-  constexpr double leastCosine = 0.1;
-  const auto slopes =
-    this->Local_.row(2).array().abs() > steep * this->Local_.topRows<2>().colwise().norm().array();
-  return slopes.any() &&
-    std::any_of(points.begin(), points.end(),
-      [this, &axis](Id p) { return this->Mesh_.PointNormal(p).dot(axis) < leastCosine; });
+  constexpr double steep = 0.4;
+  return (
+    this->Local_.row(2).array().abs() > steep * this->Local_.topRows<2>().colwise().norm().array())
+    .any();
 }
 
 /// So that the basis is as good on points that lie more densely in one direction as in the other.

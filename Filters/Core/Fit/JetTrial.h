@@ -43,7 +43,7 @@ struct JetTrial
 
   int bands = 0; ///< That the points determine well.
   double radius = 0.0;
-  bool folds = false; ///< Whether the surface is nearly upright somewhere.
+  bool isSteep = false; ///< Whether the surface turns by more than 44 degrees somewhere.
   std::array<Band, NumberOfBands> band{};
 };
 
@@ -61,7 +61,7 @@ public:
 
 private:
   bool SetHeights(Id vertex, int numberOfRings);
-  bool FoldsOver(Span<Id> points, const Eigen::Vector3d& axis) const;
+  bool IsSteep() const;
   void TurnToPrincipalAxes();
   void SetBasis(int degree);
   void AddBands(int bands, JetTrial& trial) const;
@@ -69,7 +69,7 @@ private:
   const TriangleMesh& Mesh_;
   RingNeighborhood Neighborhood_;
   double Radius_ = 0.0;
-  bool Folds_ = false;
+  bool IsSteep_ = false;
   Eigen::Matrix3Xd Local_;  ///< Offsets over the plane, in units of the extents and the radius.
   Eigen::Vector2d Extents_; ///< Along the principal axes, in units of the radius.
   Eigen::MatrixXd Basis_;   ///< A column per point.
