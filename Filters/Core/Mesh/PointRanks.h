@@ -20,8 +20,8 @@ class TriangleMesh;
  * their numbers: they are ordered by what lies around them.
  *
  * This is color refinement. The first color of a point is its position. Each round mixes in the
- * colors of its triangles, as long as this tells more points at one place apart. Colors are hashed
- * to 64 bits. Points whose colors are equal at the end are alike: exchanging them leaves the mesh
+ * colors of its triangles, until a round distinguishes no further points. Colors are hashed to 64
+ * bits. Points whose colors are equal at the end are alike: exchanging them leaves the mesh
  * as it was.
  */
 class PointRanks

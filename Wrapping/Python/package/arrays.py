@@ -177,8 +177,8 @@ def ridges(points: npt.ArrayLike, triangles: npt.ArrayLike, **properties: Any) -
         Indices of the corners of the triangles, (m, 3), oriented consistently.
     **properties
         Properties of ``vtkJetFitting``, ``vtkUmbilicDetection``, ``vtkRidgeExtraction`` and
-        ``vtkRidgeSharpnessFilter`` in lower case, such as ``neighborhood="automatic"`` for a mesh
-        with noise, or ``minimum_sharpness=10``.
+        ``vtkRidgeSharpnessFilter`` in lower case, such as ``minimum_sharpness=10`` or
+        ``crest_only=True``.
 
     Returns
     -------
@@ -262,7 +262,7 @@ def curvature(points: npt.ArrayLike, triangles: npt.ArrayLike, **properties: Any
         As for `ridges`.
     **properties
         Properties of ``vtkJetFitting`` in lower case, such as ``degree=6`` or
-        ``neighborhood="automatic"``.
+        ``standard_errors=True``.
 
     Returns
     -------

@@ -89,8 +89,8 @@ def extract(mesh: pyvista.PolyData, **properties: Any) -> pyvista.PolyData:
         A triangle mesh, oriented consistently. If it comes from `fit`, that fit is used.
     **properties
         Properties of ``vtkJetFitting``, ``vtkUmbilicDetection``, ``vtkRidgeExtraction`` and
-        ``vtkRidgeSharpnessFilter`` in lower case, such as ``neighborhood="automatic"`` for a mesh
-        with noise, or ``minimum_sharpness=10``.
+        ``vtkRidgeSharpnessFilter`` in lower case, such as ``minimum_sharpness=10`` or
+        ``crest_only=True``.
 
     Returns
     -------
@@ -118,7 +118,7 @@ def fit(mesh: pyvista.PolyData, **properties: Any) -> pyvista.PolyData:
         A triangle mesh, oriented consistently.
     **properties
         Properties of ``vtkJetFitting`` in lower case, such as ``degree=6`` or
-        ``neighborhood="automatic"``.
+        ``standard_errors=True``.
 
     Returns
     -------
