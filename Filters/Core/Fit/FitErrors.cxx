@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Fit/FitErrors.h"
 
+#include "Mesh/MeanSquare.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -96,31 +98,10 @@ double FromResiduals(const TriangleMesh& mesh, const FitErrorSource& source, Id 
     const double ratio = source.fitScale[p] > 0.0 ? source.fitResidual[p] * unit(p) : 0.0;
     return ratio * ratio;
   };
-  double largest = 0.0;
-  for (const Id t : mesh.TrianglesAround(point))
+  const double meanSquare = MeanSquareAround(mesh, point, square);
+  if (!std::isfinite(meanSquare))
   {
-    for (const Id p : mesh.Corners(t))
-    {
-      largest = std::max(largest, square(p));
-    }
-  }
-  // Each is rounded to one grain, far below what matters: these sums are exact in any order, so
-  // that the numbering does not show even in the last digit.
-  constexpr double grainsInLargest = 1 << 20;
-  const double grain = largest * grainsInLargest;
-  if (!std::isfinite(grain))
-  {
-    return grain;
-  }
-  double sum = 0.0;
-  int count = 0;
-  for (const Id t : mesh.TrianglesAround(point))
-  {
-    for (const Id p : mesh.Corners(t))
-    {
-      sum += (square(p) + grain) - grain;
-      ++count;
-    }
+    return meanSquare;
   }
   constexpr double coefficients = 15.0;
   const double points = EstimatePoints(mesh, source.fitScale[point], point);
@@ -134,8 +115,7 @@ double FromResiduals(const TriangleMesh& mesh, const FitErrorSource& source, Id 
   }
   // Below this all is rounding: the surface is a polynomial to ten digits over the fitted radius.
   constexpr double rounding = 1e-10;
-  const double average = count > 0 ? std::sqrt(sum / count) : 0.0;
-  return std::max(rounding * unit(point), factor * average);
+  return std::max(rounding * unit(point), factor * std::sqrt(meanSquare));
 }
 
 } // namespace

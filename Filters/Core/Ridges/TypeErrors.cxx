@@ -3,6 +3,7 @@
 #include "Ridges/TypeErrors.h"
 
 #include "Mesh/MeanGradient.h"
+#include "Mesh/MeanSquare.h"
 #include "Monge/AcuteRule.h"
 
 #include <cmath>
@@ -35,21 +36,14 @@ double TypeErrors::ErrorAt(Color color, Id p) const
     return 0.0;
   }
   // Averaged, as single fits have few points more than coefficients.
-  double squares = 0.0;
-  double count = 0.0;
-  for (const Id t : this->Mesh_.TrianglesAround(p))
-  {
-    for (const Id q : this->Mesh_.Corners(t))
+  const double meanSquare = MeanSquareAround(this->Mesh_, p,
+    [&errors](Id q)
     {
       const double height = errors.fitResidual[q] * errors.fitScale[q];
-      squares += height * height;
-      count += 1.0;
-    }
-  }
+      return height * height;
+    });
   const double radius = errors.fitScale[p];
-  const double third = count > 0.0
-    ? errors.noiseGain[p] * std::sqrt(squares / count) / (radius * radius * radius)
-    : 0.0;
+  const double third = errors.noiseGain[p] * std::sqrt(meanSquare) / (radius * radius * radius);
   const double mixed = this->Field_.ThirdOrder(p)[color == Color::Blue ? 1 : 2];
   const double gap = this->Field_.k1[p] - this->Field_.k2[p];
   return third * std::hypot(6.0 * mixed * ErrorOfMixedThird, gap * ErrorOfFourth / radius);
