@@ -5,8 +5,8 @@
 #include "Mesh/MeanSquare.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <limits>
 
 namespace ridges
 {
@@ -32,21 +32,23 @@ double ErrorOfGap(double gain, double points)
     double ofTensor;
     double ofGap;
   };
-  constexpr Degree degrees[] = { { 15.0, 130.0, 59.0 }, { 28.0, 730.0, 154.0 },
-    { 45.0, 2400.0, 330.0 } };
-  double nearest = std::numeric_limits<double>::infinity();
-  double error = 0.0;
-  for (const Degree& degree : degrees)
+  constexpr std::array<Degree, 3> degrees{ { { 15.0, 130.0, 59.0 }, { 28.0, 730.0, 154.0 },
+    { 45.0, 2400.0, 330.0 } } };
+  const auto freedom = [points](const Degree& degree)
+  { return std::max(0.2 * degree.coefficients, points - degree.coefficients); };
+  // Of two degrees in a row the higher one if the gain is above the geometric mean of theirs.
+  const double squaredGain = gain * gain;
+  std::size_t i = 0;
+  for (; i + 1 < degrees.size(); ++i)
   {
-    const double freedom = std::max(0.2 * degree.coefficients, points - degree.coefficients);
-    const double off = std::abs(std::log(gain * std::sqrt(freedom) / degree.ofTensor));
-    if (off < nearest)
+    const double factors = degrees[i].ofTensor * degrees[i + 1].ofTensor;
+    if (!(squaredGain * squaredGain * freedom(degrees[i]) * freedom(degrees[i + 1]) >
+          factors * factors))
     {
-      nearest = off;
-      error = degree.ofGap / std::sqrt(freedom);
+      break;
     }
   }
-  return error;
+  return degrees[i].ofGap / std::sqrt(freedom(degrees[i]));
 }
 
 /// The same to the last digit whatever the order of the three.
