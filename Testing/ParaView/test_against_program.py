@@ -19,6 +19,7 @@ class TestAgainstProgram(AgainstProgram):
     def test_what_suits_a_scan(self):
         self.compare(
             ["--minimum-number-of-points", "200", "--minimum-sharpness", "300"],
+            Neighborhood="Point Count",
             MinimumNumberOfPoints=200,
             MinimumSharpness=300.0,
         )

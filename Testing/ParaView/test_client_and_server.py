@@ -53,6 +53,7 @@ class TestClientAndServer(AgainstProgram):
     def test_the_same_as_the_program(self):
         self.compare(
             ["--minimum-number-of-points", "100", "--minimum-sharpness", "100"],
+            Neighborhood="Point Count",
             MinimumNumberOfPoints=100,
             MinimumSharpness=100.0,
         )
