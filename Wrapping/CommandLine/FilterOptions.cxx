@@ -99,12 +99,12 @@ void AddJetFitting(CLI::App& app, vtkJetFitting* filter)
       { "radius", vtkJetFitting::BY_RADIUS }, { "automatic", vtkJetFitting::AUTOMATIC } },
     filter->GetNeighborhood(), [filter](int value) { filter->SetNeighborhood(value); },
     "how large the neighbourhood of a point is; automatic chooses the degree and 2 to 24 rings by "
-    "the noise of the mesh, unless one of the next three options is given");
+    "the noise of the mesh, unless --minimum-number-of-points is given");
   group.Number<int>(
     "--minimum-number-of-points", "N", filter->GetMinimumNumberOfPoints(),
     { filter->GetMinimumNumberOfPointsMinValue(), filter->GetMinimumNumberOfPointsMaxValue() },
     [filter](int value) { filter->SetMinimumNumberOfPoints(value); },
-    "least number of points, for --neighborhood point-count");
+    "least number of points; means --neighborhood point-count");
   group.Number<int>(
     "--number-of-rings", "N", filter->GetNumberOfRings(),
     { filter->GetNumberOfRingsMinValue(), filter->GetNumberOfRingsMaxValue() },
@@ -126,15 +126,9 @@ void AddJetFitting(CLI::App& app, vtkJetFitting* filter)
 
 void CompleteNeighborhood(const CLI::App& app, vtkJetFitting* filter)
 {
-  const std::pair<const char*, int> kinds[] = { { "--minimum-number-of-points",
-                                                  vtkJetFitting::BY_POINT_COUNT },
-    { "--number-of-rings", vtkJetFitting::BY_RINGS }, { "--radius", vtkJetFitting::BY_RADIUS } };
-  for (const auto& [option, kind] : kinds)
+  if (app.count("--neighborhood") == 0 && app.count("--minimum-number-of-points") > 0)
   {
-    if (app.count("--neighborhood") == 0 && app.count(option) > 0)
-    {
-      filter->SetNeighborhood(kind);
-    }
+    filter->SetNeighborhoodToPointCount();
   }
 }
 

@@ -24,7 +24,7 @@ namespace program
 
 void AddJetFitting(CLI::App& app, vtkJetFitting* filter);
 
-/// After parsing: the neighbourhood that an option asks for by what it measures.
+/// After parsing: a number of points asks for the neighbourhood that has it.
 void CompleteNeighborhood(const CLI::App& app, vtkJetFitting* filter);
 
 void AddUmbilics(CLI::App& app, vtkUmbilicDetection* filter);
