@@ -3,6 +3,7 @@
 #include "Fit/FitErrors.h"
 
 #include "Mesh/MeanSquare.h"
+#include "Mesh/PositionOrder.h"
 
 #include <algorithm>
 #include <array>
@@ -65,7 +66,7 @@ double EstimatePoints(const TriangleMesh& mesh, double scale, Id point)
   double areas = 0.0;
   for (const Id t : mesh.TrianglesAround(point))
   {
-    areas += 0.5 * mesh.AreaNormal(t).norm();
+    areas += 0.5 * AreaNormalInOrder(mesh, t).norm();
   }
   // Two rings of an even mesh, 19 points, reach to 2 edges, or 14.5 times the area for a point.
   constexpr double perDisk = 19.0 / 14.5;
