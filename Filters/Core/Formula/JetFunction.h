@@ -54,7 +54,7 @@ public:
   {
     const Lanes zero(0.0);
     const Lanes one(1.0);
-    return this->Evaluate<1>({ Jet1::Linear(x[0], one, zero, zero),
+    return this->Evaluate(std::array<Jet1, 3>{ Jet1::Linear(x[0], one, zero, zero),
       Jet1::Linear(x[1], zero, one, zero), Jet1::Linear(x[2], zero, zero, one) });
   }
 
@@ -65,17 +65,18 @@ public:
     {
       variables[i] = Jet4::Linear(x[i], axes[0][i], axes[1][i], axes[2][i]);
     }
-    return this->Evaluate<4>(variables);
+    return this->Evaluate(variables);
   }
 
-private:
-  template <int Degree>
-  Taylor3<Degree, Lanes> Evaluate(const std::array<Taylor3<Degree, Lanes>, 3>& variables) const
+  /// f of three polynomials, with any type of number.
+  template <int Degree, typename Number>
+  Taylor3<Degree, Number> Evaluate(const std::array<Taylor3<Degree, Number>, 3>& variables) const
   {
-    Taylor3<Degree, Lanes> value = this->Program_.Evaluate(variables.data());
+    Taylor3<Degree, Number> value = this->Program_.Evaluate(variables.data());
     return this->Kind_ == Kind::Implicit ? value : variables[2] - value;
   }
 
+private:
   FormulaProgram Program_;
   Kind Kind_;
 };
