@@ -10,7 +10,7 @@
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 
-packages=(build-essential cmake ninja-build libeigen3-dev
+packages=(build-essential cmake ninja-build libboost-dev libeigen3-dev
   paraview paraview-dev libopenmpi-dev libqt5svg5 libutfcpp-dev python3-numpy)
 options=(-DPython3_EXECUTABLE=/usr/bin/python3)
 if [ ! -f "$root/build-paraview/CMakeCache.txt" ]; then

@@ -10,7 +10,8 @@
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 
-packages=(build-essential cmake ninja-build libvtk9-dev libeigen3-dev)
+packages=(build-essential cmake ninja-build libvtk9-dev libeigen3-dev
+  libboost-dev)
 options=(-DPython3_EXECUTABLE=/usr/bin/python3)
 if [ ! -f "$root/build/CMakeCache.txt" ]; then
   options+=(-DRIDGES_BUILD_PROGRAM=OFF -DRIDGES_BUILD_PYTHON=OFF -DBUILD_TESTING=OFF)

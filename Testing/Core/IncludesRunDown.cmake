@@ -15,7 +15,8 @@ set(rooms
   Ridges
   Ridges/Patch
   Salience
-  Coherence)
+  Coherence
+  Certification)
 
 file(GLOB_RECURSE files RELATIVE "${DIRECTORY}" "${DIRECTORY}/*.h" "${DIRECTORY}/*.cxx")
 if (NOT files)

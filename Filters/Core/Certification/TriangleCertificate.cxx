@@ -1,0 +1,145 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkRidges contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Certification/TriangleCertificate.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace ridges
+{
+namespace
+{
+
+constexpr int MostParts = 600;
+constexpr int Deepest = 9;
+constexpr int NumberOfDirections = 24;
+using Directions = std::uint32_t;
+
+/// One of the directions to try, by its shares of corner 1 - corner 0 and corner 2 - corner 0:
+/// evenly spread in an equilateral triangle.
+std::array<double, 2> DirectionAt(int i)
+{
+  const double angle = i * (2.0 * 3.14159265358979323846 / NumberOfDirections);
+  const double y = std::sin(angle) * 2.0 / std::sqrt(3.0);
+  return { std::cos(angle) - 0.5 * y, y };
+}
+
+/// Those along which the extremality grows.
+Directions GrowingAlong(const ExtremalityBounds& extremality, int turn)
+{
+  Directions result = 0;
+  for (int i = 0; i < NumberOfDirections; ++i)
+  {
+    const std::array<double, 2> d = DirectionAt(i);
+    const Interval slope =
+      Interval(turn * d[0]) * extremality.slope[0] + Interval(turn * d[1]) * extremality.slope[1];
+    result |= IsPositive(slope) ? Directions(1) << i : 0;
+  }
+  return result;
+}
+
+struct Task
+{
+  Part part;
+  double height;
+  int depth;
+};
+
+std::array<Part, 4> Quarters(const Part& part)
+{
+  const auto& c = part.corner;
+  const Eigen::Vector3d m01 = 0.5 * (c[0] + c[1]);
+  const Eigen::Vector3d m12 = 0.5 * (c[1] + c[2]);
+  const Eigen::Vector3d m20 = 0.5 * (c[2] + c[0]);
+  return { Part{ { c[0], m01, m20 }, 3 }, Part{ { m01, c[1], m12 }, 3 },
+    Part{ { m20, m12, c[2] }, 3 }, Part{ { m01, m12, m20 }, 3 } };
+}
+
+/// What remains possible in the parts seen so far.
+class TriangleState
+{
+public:
+  explicit TriangleState(const Eigen::Vector3d& d1)
+    : Reference_(d1)
+  {
+  }
+
+  /// The hypothesis that a part does not show to hold; 0 if it shows all.
+  std::uint16_t Add(const PartBounds& bounds)
+  {
+    if (!bounds.isMapped)
+    {
+      return MeshFollowsSurface;
+    }
+    if (!bounds.hasGap || !bounds.isNarrow)
+    {
+      return OneUmbilic;
+    }
+    // Signs agree with the reference while d1 cannot be at right angle to it.
+    const double along = bounds.frame.col(0).dot(this->Reference_);
+    std::array<Directions, 2> possible = this->Possible_;
+    for (int color = 0; color < 2; ++color)
+    {
+      const ExtremalityBounds& extremality = bounds.extremality[color];
+      if (HasSign(extremality.value))
+      {
+        continue;
+      }
+      if (std::abs(along) < 0.6)
+      {
+        return OneUmbilic; // as only near one d1 turns by that much
+      }
+      possible[color] &= GrowingAlong(extremality, along < 0.0 ? -1 : 1);
+      if (possible[color] == 0)
+      {
+        return NoRidgeInTriangle;
+      }
+    }
+    this->Possible_ = possible;
+    return 0;
+  }
+
+private:
+  Eigen::Vector3d Reference_;
+  std::array<Directions, 2> Possible_{ ~Directions(0), ~Directions(0) };
+};
+
+} // namespace
+
+TriangleCertificate CertifyTriangle(
+  const SurfaceBounds& surface, const MappedTriangle& whole, const Eigen::Vector3d& d1)
+{
+  TriangleCertificate result;
+  TriangleState state(d1);
+  std::vector<Task> tasks{ { { { Eigen::Vector3d(1.0, 0.0, 0.0), Eigen::Vector3d(0.0, 1.0, 0.0),
+                                 Eigen::Vector3d(0.0, 0.0, 1.0) },
+                               3 },
+    0.0, 0 } };
+  int count = 0;
+  while (!tasks.empty())
+  {
+    const Task task = tasks.back();
+    tasks.pop_back();
+    const PartBounds bounds = BoundPart(surface, whole, task.part, task.height);
+    const std::uint16_t failed = state.Add(bounds);
+    if (failed == 0)
+    {
+      continue;
+    }
+    if (++count >= MostParts || task.depth >= Deepest)
+    {
+      result.failed = failed;
+      result.place = bounds.center;
+      return result;
+    }
+    const double height = std::isfinite(bounds.height) ? bounds.height : 0.0;
+    for (const Part& quarter : Quarters(task.part))
+    {
+      tasks.push_back({ quarter, height, task.depth + 1 });
+    }
+  }
+  return result;
+}
+
+} // namespace ridges
