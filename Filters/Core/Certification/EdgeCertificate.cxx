@@ -51,9 +51,11 @@ public:
   {
   }
 
-  /// Parts that are understood, in order; false if some are not.
-  bool Split(EdgeCertificate& result)
+  /// Parts that are understood, in order; false if some are not. Without ridges, all that matters
+  /// is that d1 is continuous.
+  bool Split(EdgeCertificate& result, bool looksAtRidges)
   {
+    this->Parts_.clear();
     struct Task
     {
       double begin;
@@ -70,7 +72,7 @@ public:
       const PartBounds bounds = BoundPart(
         this->Surface_, this->Whole_, { { At(task.begin), At(task.end), {} }, 2 }, task.height);
       EdgePart part{ task.begin, task.end, bounds.frame.col(0), {} };
-      if (this->IsUnderstood(bounds, part))
+      if (IsUnderstood(bounds, part, looksAtRidges))
       {
         this->Parts_.push_back(part);
         continue;
@@ -158,7 +160,7 @@ public:
   }
 
 private:
-  static bool IsUnderstood(const PartBounds& bounds, EdgePart& part)
+  static bool IsUnderstood(const PartBounds& bounds, EdgePart& part, bool looksAtRidges)
   {
     if (!bounds.hasGap || !bounds.isNarrow)
     {
@@ -168,7 +170,7 @@ private:
     {
       part.color[color].sign = SignOf(bounds.extremality[color].value);
       part.color[color].slope = SignOf(bounds.extremality[color].slope[0]);
-      if (part.color[color].sign == 0 && part.color[color].slope == 0)
+      if (looksAtRidges && part.color[color].sign == 0 && part.color[color].slope == 0)
       {
         return false;
       }
@@ -192,7 +194,7 @@ private:
 
   void Fail(EdgeCertificate& result, int color, std::uint16_t hypothesis, double t) const
   {
-    result.failed |= hypothesis;
+    result.failed |= hypothesis | OneCrossing;
     result.crossings[color] = -1;
     result.place = this->Whole_.Position(At(t));
   }
@@ -249,28 +251,32 @@ private:
 } // namespace
 
 EdgeCertificate CertifyEdge(const SurfaceBounds& surface, const MappedTriangle& whole,
-  const std::array<Eigen::Vector3d, 2>& d1)
+  const std::array<Eigen::Vector3d, 2>& d1, bool isDegenerate)
 {
   EdgeCertificate result;
   result.place = whole.point[0];
   EdgeSearch search(surface, whole);
-  if (!search.Split(result))
+  result.failed = search.HasRightAngle(d1) ? NoRightAngle : 0;
+  const bool areRidgesKnown = !isDegenerate && search.Split(result, true);
+  if (!areRidgesKnown)
   {
+    // What stopped the search says nothing about the parts that it did not come to.
     result.crossings = { -1, -1 };
-    return result;
+    result.failed |= NoRidgeThroughVertex | TransversalCrossings | OneCrossing;
+    if (!search.Split(result, false))
+    {
+      result.failed |= NoUmbilicOnEdge | CorrectOrientation;
+      return result;
+    }
   }
   const Eigen::Vector3d last = search.Orient(d1[0]);
   result.orientation = last.dot(d1[1]) < 0.0 ? -1 : 1;
-  if (search.HasRightAngle(d1))
-  {
-    result.failed |= NoRightAngle;
-  }
   const int acute = d1[0].dot(d1[1]) < 0.0 ? -1 : 1;
   if (acute != result.orientation)
   {
     result.failed |= CorrectOrientation;
   }
-  for (int color = 0; color < 2; ++color)
+  for (int color = 0; areRidgesKnown && color < 2; ++color)
   {
     search.Count(color, result);
     if (result.crossings[color] > 1)

@@ -28,10 +28,11 @@ struct EdgeCertificate
 
 /**
  * Follows d1 along the image of the edge from corner 0 to corner 1 of `whole`, and separates the
- * zeros of the extremalities, by bisection. `d1` are stored directions at the two ends.
+ * zeros of the extremalities, by bisection. `d1` are stored directions at the two ends. Of a
+ * degenerate edge it is known that it is on ridges; only umbilics are looked for.
  */
 EdgeCertificate CertifyEdge(const SurfaceBounds& surface, const MappedTriangle& whole,
-  const std::array<Eigen::Vector3d, 2>& d1);
+  const std::array<Eigen::Vector3d, 2>& d1, bool isDegenerate = false);
 
 } // namespace ridges
 

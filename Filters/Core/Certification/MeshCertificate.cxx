@@ -34,14 +34,14 @@ Triangle FromFirst(const TriangleMesh& mesh, const Triangle& corners)
   return result;
 }
 
-EdgeCertificate CertifyByPosition(const CertifiedInput& input, const Edge& edge)
+EdgeCertificate CertifyByPosition(const CertifiedInput& input, const Edge& edge, bool isDegenerate)
 {
   const bool isReversed = ComesBefore(input.mesh, edge.v1, edge.v0);
   const Id first = isReversed ? edge.v1 : edge.v0;
   const Id second = isReversed ? edge.v0 : edge.v1;
   const MappedTriangle whole = MappedTriangleOf(input, { first, second, second });
-  EdgeCertificate result =
-    CertifyEdge(input.surface, whole, { input.field.D1(first), input.field.D1(second) });
+  EdgeCertificate result = CertifyEdge(
+    input.surface, whole, { input.field.D1(first), input.field.D1(second) }, isDegenerate);
   if (isReversed)
   {
     for (double& parameter : result.parameter)
@@ -212,10 +212,19 @@ public:
         {
           const Id t = missing[i];
           const Triangle corners = FromFirst(mesh, mesh.Corners(t));
-          found[i] = this->Degenerate_[t] != 0
-            ? TriangleCertificate{ this->Degenerate_[t], mesh.Centroid(t) }
-            : CertifyTriangle(this->Input_.surface, MappedTriangleOf(this->Input_, corners),
-                this->Input_.field.D1(corners[0]));
+          if ((this->Degenerate_[t] & OneUmbilic) != 0)
+          {
+            found[i].failed = this->Degenerate_[t] | NoRidgeInTriangle;
+            found[i].failed |=
+              IsMapped(this->Input_.surface, MappedTriangleOf(this->Input_, corners))
+              ? std::uint16_t(0)
+              : MeshFollowsSurface;
+            found[i].place = mesh.Centroid(t);
+            continue;
+          }
+          found[i] = CertifyTriangle(this->Input_.surface, MappedTriangleOf(this->Input_, corners),
+            this->Degenerate_[t] != 0);
+          found[i].failed |= this->Degenerate_[t] & NotGeneric;
           found[i].failed |= this->NotGenericAt(found[i], LongestSide(mesh, t));
         }
       });
@@ -230,13 +239,15 @@ private:
   {
     const std::uint16_t degenerate =
       this->Degenerate_[edge.t0] | (edge.t1 < 0 ? std::uint16_t(0) : this->Degenerate_[edge.t1]);
-    if (degenerate == 0)
+    if ((degenerate & OneUmbilic) == 0)
     {
-      return CertifyByPosition(this->Input_, edge);
+      EdgeCertificate result = CertifyByPosition(this->Input_, edge, degenerate != 0);
+      result.failed |= degenerate & NotGeneric;
+      return result;
     }
     EdgeCertificate result;
-    const bool isRound = (degenerate & OneUmbilic) != 0;
-    result.failed = NotGeneric | (isRound ? NoUmbilicOnEdge : TransversalCrossings);
+    result.failed = NotGeneric | NoUmbilicOnEdge | NoRidgeThroughVertex | TransversalCrossings |
+      CorrectOrientation | OneCrossing;
     result.place = 0.5 * (this->Input_.mesh.Point(edge.v0) + this->Input_.mesh.Point(edge.v1));
     result.crossings = { -1, -1 };
     return result;
@@ -363,9 +374,9 @@ MeshCertificate CertifyMesh(const CertifiedInput& input, CertificateMemory& memo
     return result;
   }
   PatchSearch patches(input, memory);
-  const auto certifyEdges = [&search](const std::vector<Id>& wanted)
-  { search.CertifyEdges(wanted); };
-  result.patches = patches.Find(memory.umbilics, certifyEdges);
+  result.patches = patches.Find(
+    memory.umbilics, [&search](const std::vector<Id>& wanted) { search.CertifyEdges(wanted); },
+    [&search](const std::vector<Id>& wanted) { search.CertifyTriangles(wanted); });
   result.patchOfTriangle.assign(static_cast<std::size_t>(mesh.NumberOfTriangles()), -1);
   for (std::size_t i = 0; i < result.patches.size(); ++i)
   {

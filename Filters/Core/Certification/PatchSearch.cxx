@@ -6,7 +6,9 @@
 #include <Eigen/LU>
 
 #include <algorithm>
+#include <iterator>
 #include <set>
+#include <utility>
 
 namespace ridges
 {
@@ -203,8 +205,62 @@ std::uint16_t PatchSearch::FailedOnBorder(
   return failed == 0 && !isRight ? std::uint16_t(OnlyRidgesOfUmbilic) : failed;
 }
 
+/// Whether d1 turns little in the triangles around a patch. In those next to an umbilic it does
+/// not, and to refine them brings others as near.
+bool PatchSearch::IsIsolatedFrom(const std::vector<Id>& patch, const std::vector<Id>& wider) const
+{
+  return std::all_of(wider.begin(), wider.end(),
+    [this, &patch](Id t)
+    {
+      return std::binary_search(patch.begin(), patch.end(), t) ||
+        (this->Memory_.Find(this->Input_.mesh.Corners(t))->failed & OneUmbilic) == 0;
+    });
+}
+
+/// The smallest patch that is isolated or, without one, the largest that has the right border.
+void PatchSearch::Choose(
+  const Certify& certifyEdges, const Certify& certifyTriangles, PatchCertificate& found) const
+{
+  constexpr int mostRings = 4;
+  found.patch = this->RingsAround(found.triangle, 1);
+  for (int rings = 0; rings <= mostRings; ++rings)
+  {
+    const std::vector<Id> patch = this->RingsAround(found.triangle, rings);
+    const bool isInside = this->IsDisk(patch) &&
+      std::all_of(patch.begin(), patch.end(),
+        [this, &found](Id t) { return this->IsInDisk(found.umbilic, t); });
+    if (!isInside)
+    {
+      return;
+    }
+    const std::vector<Id> border = this->BorderOf(patch);
+    certifyEdges(border);
+    const std::uint16_t failed = this->FailedOnBorder(found.umbilic, border);
+    if (failed != 0)
+    {
+      if (found.failed != 0)
+      {
+        found.patch = patch;
+        found.failed = OnlyRidgesOfUmbilic;
+      }
+      continue;
+    }
+    found.patch = patch;
+    found.failed = 0;
+    const std::vector<Id> wider = this->RingsAround(found.triangle, rings + 1);
+    std::vector<Id> around;
+    std::set_difference(
+      wider.begin(), wider.end(), patch.begin(), patch.end(), std::back_inserter(around));
+    certifyTriangles(around);
+    if (rings > 0 && this->IsIsolatedFrom(patch, wider))
+    {
+      return;
+    }
+  }
+}
+
 std::vector<PatchCertificate> PatchSearch::Find(const std::vector<UmbilicCertificate>& umbilics,
-  const std::function<void(const std::vector<Id>&)>& certifyEdges)
+  const Certify& certifyEdges, const Certify& certifyTriangles)
 {
   std::vector<PatchCertificate> result;
   std::set<Id> taken;
@@ -215,35 +271,20 @@ std::vector<PatchCertificate> PatchSearch::Find(const std::vector<UmbilicCertifi
     {
       continue;
     }
-    std::uint16_t failed = umbilic.isIsolated ? NoRidgeInPatch : OneUmbilic;
-    // What depends on the surface alone.
-    failed |= umbilic.radius > 0.0 ? std::uint16_t(0) : NotGeneric;
-    for (const int rings : { 1, 2, 3, 0 })
+    // As long as nothing is known of a patch.
+    found.failed = MeshFollowsSurface | OneUmbilic | NoRidgeInPatch | OnlyRidgesOfUmbilic;
+    if (umbilic.radius > 0.0)
     {
-      const std::vector<Id> patch = this->RingsAround(found.triangle, rings);
-      const bool isInside = umbilic.radius > 0.0 && this->IsDisk(patch) &&
-        std::all_of(patch.begin(), patch.end(),
-          [this, &umbilic](Id t) { return this->IsInDisk(umbilic, t); });
-      if (rings == 1)
-      {
-        found.patch = patch;
-      }
-      if (!isInside)
-      {
-        continue;
-      }
-      const std::vector<Id> border = this->BorderOf(patch);
-      certifyEdges(border);
-      failed = this->FailedOnBorder(umbilic, border);
-      if (failed == 0)
-      {
-        found.patch = patch;
-        break;
-      }
+      this->Choose(certifyEdges, certifyTriangles, found);
+    }
+    else // by the surface alone
+    {
+      found.patch = this->RingsAround(found.triangle, 1);
+      found.failed |= NotGeneric;
     }
     const bool isFree = std::none_of(
       found.patch.begin(), found.patch.end(), [&taken](Id t) { return taken.count(t) > 0; });
-    found.failed = isFree ? failed : failed | DisjointPatches;
+    found.failed |= isFree ? std::uint16_t(0) : std::uint16_t(DisjointPatches);
     taken.insert(found.patch.begin(), found.patch.end());
     result.push_back(std::move(found));
   }

@@ -27,13 +27,19 @@ public:
   {
   }
 
-  /// `certifyEdges` puts edges into the memory. Umbilics that are not on the mesh are left out.
+  /// Puts certificates of these edges or triangles into the memory.
+  using Certify = std::function<void(const std::vector<Id>&)>;
+
+  /// Umbilics that are not on the mesh are left out.
   std::vector<PatchCertificate> Find(const std::vector<UmbilicCertificate>& umbilics,
-    const std::function<void(const std::vector<Id>&)>& certifyEdges);
+    const Certify& certifyEdges, const Certify& certifyTriangles);
 
 private:
   Id TriangleOf(const UmbilicCertificate& umbilic) const;
   std::vector<Id> RingsAround(Id triangle, int rings) const;
+  void Choose(
+    const Certify& certifyEdges, const Certify& certifyTriangles, PatchCertificate& found) const;
+  bool IsIsolatedFrom(const std::vector<Id>& patch, const std::vector<Id>& wider) const;
   bool IsInDisk(const UmbilicCertificate& umbilic, Id triangle) const;
   bool IsDisk(const std::vector<Id>& patch) const;
   std::vector<Id> BorderOf(const std::vector<Id>& patch) const;

@@ -46,6 +46,13 @@ struct Task
   int depth;
 };
 
+Part WholeTriangle()
+{
+  return { { Eigen::Vector3d(1.0, 0.0, 0.0), Eigen::Vector3d(0.0, 1.0, 0.0),
+             Eigen::Vector3d(0.0, 0.0, 1.0) },
+    3 };
+}
+
 std::array<Part, 4> Quarters(const Part& part)
 {
   const auto& c = part.corner;
@@ -60,14 +67,19 @@ std::array<Part, 4> Quarters(const Part& part)
 class TriangleState
 {
 public:
-  explicit TriangleState(const Eigen::Vector3d& d1)
-    : Reference_(d1)
+  /// Whether ridges matter, or only that there is no umbilic.
+  explicit TriangleState(bool looksAtRidges)
+    : LooksAtRidges_(looksAtRidges)
   {
   }
 
   /// The hypothesis that a part does not show to hold; 0 if it shows all.
   std::uint16_t Add(const PartBounds& bounds)
   {
+    if (this->Reference_.isZero() && std::isfinite(bounds.height))
+    {
+      this->Reference_ = bounds.frame.col(0);
+    }
     if (!bounds.isMapped)
     {
       return MeshFollowsSurface;
@@ -76,7 +88,12 @@ public:
     {
       return OneUmbilic;
     }
-    // Signs agree with the reference while d1 cannot be at right angle to it.
+    if (!this->LooksAtRidges_)
+    {
+      return 0;
+    }
+    // Signs agree with the direction in the middle of the first part, the whole triangle, while d1
+    // cannot be at right angle to it: it is within 27 degrees of that of this part.
     const double along = bounds.frame.col(0).dot(this->Reference_);
     std::array<Directions, 2> possible = this->Possible_;
     for (int color = 0; color < 2; ++color)
@@ -86,9 +103,9 @@ public:
       {
         continue;
       }
-      if (std::abs(along) < 0.6)
+      if (std::abs(along) < 0.5)
       {
-        return OneUmbilic; // as only near one d1 turns by that much
+        return NoRidgeInTriangle;
       }
       possible[color] &= GrowingAlong(extremality, along < 0.0 ? -1 : 1);
       if (possible[color] == 0)
@@ -101,21 +118,17 @@ public:
   }
 
 private:
-  Eigen::Vector3d Reference_;
+  bool LooksAtRidges_;
+  Eigen::Vector3d Reference_ = Eigen::Vector3d::Zero();
   std::array<Directions, 2> Possible_{ ~Directions(0), ~Directions(0) };
 };
 
-} // namespace
-
-TriangleCertificate CertifyTriangle(
-  const SurfaceBounds& surface, const MappedTriangle& whole, const Eigen::Vector3d& d1)
+TriangleCertificate Subdivide(
+  const SurfaceBounds& surface, const MappedTriangle& whole, bool looksAtRidges)
 {
   TriangleCertificate result;
-  TriangleState state(d1);
-  std::vector<Task> tasks{ { { { Eigen::Vector3d(1.0, 0.0, 0.0), Eigen::Vector3d(0.0, 1.0, 0.0),
-                                 Eigen::Vector3d(0.0, 0.0, 1.0) },
-                               3 },
-    0.0, 0 } };
+  TriangleState state(looksAtRidges);
+  std::vector<Task> tasks{ { WholeTriangle(), 0.0, 0 } };
   int count = 0;
   while (!tasks.empty())
   {
@@ -139,6 +152,54 @@ TriangleCertificate CertifyTriangle(
       tasks.push_back({ quarter, height, task.depth + 1 });
     }
   }
+  return result;
+}
+
+constexpr int ProjectionDepth = 3;
+
+bool IsMappedIn(
+  const SurfaceBounds& surface, const MappedTriangle& whole, const Part& part, int depth)
+{
+  if (BoundPart(surface, whole, part, 0.0).isMapped)
+  {
+    return true;
+  }
+  const std::array<Part, 4> quarters = Quarters(part);
+  return depth < ProjectionDepth &&
+    std::all_of(quarters.begin(), quarters.end(),
+      [&surface, &whole, depth](const Part& quarter)
+      { return IsMappedIn(surface, whole, quarter, depth + 1); });
+}
+
+} // namespace
+
+bool IsMapped(const SurfaceBounds& surface, const MappedTriangle& whole)
+{
+  return IsMappedIn(surface, whole, WholeTriangle(), 0);
+}
+
+TriangleCertificate CertifyTriangle(
+  const SurfaceBounds& surface, const MappedTriangle& whole, bool isDegenerate)
+{
+  TriangleCertificate result;
+  if (!isDegenerate)
+  {
+    result = Subdivide(surface, whole, true);
+    if (result.failed == 0)
+    {
+      return result;
+    }
+  }
+  // What stopped the search says nothing about the parts that it did not come to.
+  const TriangleCertificate umbilics = Subdivide(surface, whole, false);
+  if (umbilics.failed != 0)
+  {
+    result = umbilics;
+    result.failed |= OneUmbilic;
+    result.failed |= IsMapped(surface, whole) ? std::uint16_t(0) : MeshFollowsSurface;
+  }
+  result.place = result.failed != 0 ? result.place : whole.Position({ 0.3, 0.3, 0.4 });
+  result.failed |= NoRidgeInTriangle;
   return result;
 }
 

@@ -23,10 +23,15 @@ struct TriangleCertificate
 /**
  * By subdivision. k1 - k2 is bounded away from 0. A closed ridge inside would have tangents of all
  * directions: there is none if, wherever the extremality can vanish, its derivative along one and
- * the same direction is positive. `d1` is a direction of reference.
+ * the same direction is positive.
+ *
+ * Of a degenerate triangle it is known that ridges are everywhere; only umbilics are looked for.
  */
 TriangleCertificate CertifyTriangle(
-  const SurfaceBounds& surface, const MappedTriangle& whole, const Eigen::Vector3d& d1);
+  const SurfaceBounds& surface, const MappedTriangle& whole, bool isDegenerate = false);
+
+/// Whether the projection of a triangle to the surface is one-to-one.
+bool IsMapped(const SurfaceBounds& surface, const MappedTriangle& whole);
 
 } // namespace ridges
 

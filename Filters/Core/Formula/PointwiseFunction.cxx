@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Formula/PointwiseFunction.h"
 
+#include <algorithm>
+
 namespace ridges
 {
 namespace
@@ -63,6 +65,30 @@ int FirstEqual(const LaneVector3& x, int lane)
   return first;
 }
 
+/// Whether a lane repeats the point and the axes of the one before.
+bool IsSameAsBefore(const LaneVector3& x, const std::array<LaneVector3, 3>& axes, int lane)
+{
+  return LaneOf(x, lane) == LaneOf(x, lane - 1) &&
+    std::all_of(axes.begin(), axes.end(),
+      [lane](const LaneVector3& axis) { return LaneOf(axis, lane) == LaneOf(axis, lane - 1); });
+}
+
+Jet LaneOf(const Taylor3<4, Lanes>& lanes, int lane)
+{
+  Jet jet;
+  for (int i = 0; i <= 4; ++i)
+  {
+    for (int j = 0; i + j <= 4; ++j)
+    {
+      for (int k = 0; i + j + k <= 4; ++k)
+      {
+        jet.Set(i, j, k, lanes(i, j, k)[lane]);
+      }
+    }
+  }
+  return jet;
+}
+
 void CopyLane(Taylor3<1, Lanes>& lanes, int from, int to)
 {
   Taylor3<1> jet;
@@ -101,6 +127,11 @@ JetFunction::Jet4 PointwiseFunction::Full(
   Jet4 result;
   for (int lane = 0; lane < Lanes::Count; ++lane)
   {
+    if (lane > 0 && IsSameAsBefore(x, axes, lane))
+    {
+      SetLane(result, LaneOf(result, lane - 1), lane);
+      continue;
+    }
     std::array<double, Jet4::Size> values{};
     this->Evaluate(LaneOf(x, lane), 4, values.data());
     Eigen::Matrix3d frame;
