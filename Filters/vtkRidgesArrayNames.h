@@ -92,6 +92,14 @@ constexpr const char* TouchesBorder = "TouchesBorder";
 constexpr const char* NearBorder = "NearBorder"; ///< Of ridges, too.
 ///@}
 
+/// @name Mesh and its edges, cell data, of vtkCompliantRefinement and vtkCertifiedRidges
+///@{
+constexpr const char* Certificate = "Certificate";
+constexpr const char* FailedHypotheses = "FailedHypotheses";
+constexpr const char* MaximumCrossings = "MaximumCrossings";
+constexpr const char* MinimumCrossings = "MinimumCrossings";
+///@}
+
 /// @name Ridges, cell data
 ///@{
 constexpr const char* RidgeType = "RidgeType";
@@ -144,6 +152,7 @@ constexpr const char* NumberOfOffenders = "NumberOfOffenders";
 constexpr const char* OffenderKind = "OffenderKind";
 constexpr const char* Offenders = "Offenders";
 constexpr const char* OffenderPosition = "OffenderPosition";
+constexpr const char* Verdict = "Verdict";
 ///@}
 
 /// @name Curvature lines, cell data, besides Closed and Length; point data is Curvature

@@ -1,0 +1,130 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkRidges contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkRidgesCertifier.h"
+
+#include "vtkJetFunction.h"
+#include "vtkRidgesArrayNames.h"
+#include "vtkRidgesCompatibility.h"
+#include "vtkRidgesMesh.h"
+#include "vtkRidgesMonitor.h"
+#include "vtkRidgesRangeLoop.h"
+
+#include "vtkFieldData.h"
+#include "vtkPolyData.h"
+#include "vtkStringArray.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <vector>
+
+namespace names = vtkRidgesArrayNames;
+
+namespace
+{
+
+/// Each bisects the worst triangles: more rounds than that make edges shorter than round-off.
+constexpr int MostRounds = 200;
+
+/// The formula that the source of the mesh has left there.
+std::string FormulaOf(vtkPolyData* mesh)
+{
+  auto* array =
+    vtkStringArray::SafeDownCast(mesh->GetFieldData()->GetAbstractArray(names::Formula));
+  return array && array->GetNumberOfValues() > 0 ? std::string(array->GetValue(0)) : std::string();
+}
+
+} // namespace
+
+std::string vtkRidgesCertifier::SetSurface(vtkPolyData* input, const Choice& choice)
+{
+  this->Proof = choice.isProof;
+  if (choice.function)
+  {
+    this->Surface.SetFunction(choice.function);
+    return choice.isProof ? "a proof needs a formula: bounds on a JetFunction are not known"
+                          : std::string();
+  }
+  this->Formula = choice.formula.empty() ? FormulaOf(input) : choice.formula;
+  return choice.isGraph ? this->Surface.SetGraph(this->Formula)
+                        : this->Surface.SetImplicit(this->Formula);
+}
+
+std::string vtkRidgesCertifier::SetMesh(vtkPolyData* input, const Choice& choice)
+{
+  vtkRidgesMesh mesh;
+  const std::string faults = mesh.Build(input);
+  if (!faults.empty())
+  {
+    return "the mesh cannot be used: " + faults;
+  }
+  const ridges::TriangleMesh& triangles = mesh.GetTriangles();
+  std::vector<Eigen::Vector3d> points;
+  for (ridges::Id p = 0; p < triangles.NumberOfPoints(); ++p)
+  {
+    points.emplace_back(triangles.Point(p));
+  }
+  std::vector<ridges::Triangle> corners;
+  for (ridges::Id t = 0; t < triangles.NumberOfTriangles(); ++t)
+  {
+    corners.push_back(triangles.Corners(t));
+  }
+  const int side = ridges::SideOf(this->Surface.Get(), triangles);
+  if (side == 0)
+  {
+    return "parts of the mesh are oriented to different sides of the surface";
+  }
+  if (choice.isProof)
+  {
+    this->Bounds = std::make_unique<ridges::IntervalBounds>(
+      static_cast<const ridges::FormulaFunction&>(this->Surface.GetFunction()), side < 0);
+  }
+  else
+  {
+    this->Bounds = std::make_unique<ridges::SampledBounds>(this->Surface.GetFunction(), side < 0);
+  }
+  this->Mesh = std::make_unique<ridges::CompliantMesh>(
+    this->Surface.Get(), *this->Bounds, side < 0, points, std::move(corners));
+  if (this->Mesh->NumberOfFaults() > 0)
+  {
+    std::ostringstream text;
+    text << this->Mesh->NumberOfFaults() << " of " << points.size()
+         << " points have no Monge form (vtkImplicitMongeForm says why)";
+    return text.str();
+  }
+  return {};
+}
+
+bool vtkRidgesCertifier::Run(vtkAlgorithm* filter, vtkPolyData* input, const Choice& choice)
+{
+  std::string faults = this->SetSurface(input, choice);
+  if (faults.empty())
+  {
+    faults = this->SetMesh(input, choice);
+  }
+  if (!faults.empty())
+  {
+    vtkErrorWithObjectMacro(filter, << faults << ".");
+    return false;
+  }
+  for (int round = 0; round < MostRounds; ++round)
+  {
+    const double begin = 1.0 - std::pow(0.8, round); // how many there will be is not known
+    const double end = 1.0 - std::pow(0.8, round + 1);
+    const ridges::Monitor monitor = vtkRidgesMonitor(filter, begin, end);
+    this->Certificate = this->Mesh->Certify(vtkRidgesRangeLoop, monitor);
+    if (vtkRidgesCompatibility::IsAborted(filter))
+    {
+      return true;
+    }
+    if (this->Mesh->NumberOfPoints() >= choice.mostPoints || this->Certificate.HoldsEverywhere() ||
+      !this->Mesh->Refine(this->Certificate))
+    {
+      this->Done = true;
+      return true;
+    }
+  }
+  this->Certificate = this->Mesh->Certify(vtkRidgesRangeLoop, vtkRidgesMonitor(filter, 0.99, 1.0));
+  this->Done = !vtkRidgesCompatibility::IsAborted(filter);
+  return true;
+}

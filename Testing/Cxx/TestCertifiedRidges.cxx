@@ -1,0 +1,259 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkRidges contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkCertifiedRidges.h"
+
+#include "FilterTestTools.h"
+#include "MessageRecorder.h"
+#include "vtkCompliantRefinement.h"
+#include "vtkJetFunction.h"
+#include "vtkRidgeCoherence.h"
+#include "vtkRidgesArrayNames.h"
+
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkSMPTools.h"
+#include "vtkTable.h"
+#include "vtkVariant.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <string>
+
+using namespace ridges::testing;
+namespace names = vtkRidgesArrayNames;
+
+namespace
+{
+
+constexpr const char* Ellipsoid = "x^2+y^2/0.64+z^2/0.36-1";
+
+/// x² + b y² + c z² - 1 with its derivatives.
+class Quadric : public vtkJetFunction
+{
+public:
+  static Quadric* New();
+  vtkTypeMacro(Quadric, vtkJetFunction);
+  void EvaluateJet(const double x[3], int order, double* coefficients) override
+  {
+    const double squares[3] = { 1.0, 1.0 / 0.64, 1.0 / 0.36 };
+    std::fill_n(coefficients, NumberOfCoefficients(order), 0.0);
+    coefficients[0] = -1.0;
+    for (int i = 0; i < 3; ++i)
+    {
+      coefficients[0] += squares[i] * x[i] * x[i];
+      coefficients[1 + i] = 2.0 * squares[i] * x[i];
+    }
+    if (order > 1)
+    {
+      coefficients[Index(2, 0, 0)] = squares[0];
+      coefficients[Index(0, 2, 0)] = squares[1];
+      coefficients[Index(0, 0, 2)] = squares[2];
+    }
+  }
+};
+vtkStandardNewMacro(Quadric);
+
+vtkSmartPointer<vtkPolyData> EllipsoidOf(int frequency)
+{
+  return ToPolyData(EllipsoidMesh(frequency, 1.0, 0.8, 0.6));
+}
+
+/// Verdicts by the name of the hypothesis.
+std::map<std::string, std::string> VerdictsOf(vtkDataObject* data)
+{
+  auto* table = vtkTable::SafeDownCast(data);
+  std::map<std::string, std::string> verdicts;
+  for (vtkIdType row = 0; row < table->GetNumberOfRows(); ++row)
+  {
+    verdicts[table->GetValueByName(row, names::Check).ToString()] =
+      table->GetValueByName(row, names::Verdict).ToString();
+  }
+  return verdicts;
+}
+
+} // namespace
+
+TEST(CertifiedRidges, ProvesAnEllipsoid)
+{
+  vtkNew<vtkCertifiedRidges> certified;
+  const MessageRecorder messages(certified);
+  certified->SetInputData(EllipsoidOf(6));
+  certified->SetFormula(Ellipsoid);
+  certified->Update();
+  EXPECT_EQ(messages.ErrorText() + messages.WarningText(), "");
+  for (const auto& [name, verdict] :
+    VerdictsOf(certified->GetOutputDataObject(vtkCertifiedRidges::TABLE)))
+  {
+    EXPECT_EQ(verdict, "proved") << name;
+  }
+  vtkPolyData* mesh = certified->GetOutput(vtkCertifiedRidges::MESH);
+  EXPECT_EQ(mesh->GetCellData()->GetArray(names::Certificate)->GetRange()[0], 2.0);
+  EXPECT_EQ(mesh->GetCellData()->GetArray(names::FailedHypotheses)->GetRange()[1], 0.0);
+
+  // a sqrt((a² - b²) / (a² - c²)) and c sqrt((b² - c²) / (a² - c²))
+  vtkPolyData* umbilics = certified->GetOutput(vtkCertifiedRidges::UMBILICS);
+  ASSERT_EQ(umbilics->GetNumberOfPoints(), 4);
+  for (vtkIdType i = 0; i < 4; ++i)
+  {
+    const Eigen::Vector3d x = PointAt(umbilics, i);
+    EXPECT_NEAR(std::abs(x[0]), 0.75, 1e-12);
+    EXPECT_NEAR(x[1], 0.0, 1e-12);
+    EXPECT_NEAR(std::abs(x[2]), 0.6 * std::sqrt(0.4375), 1e-12);
+    EXPECT_EQ(Value(umbilics->GetPointData(), names::RidgeCount, i), 1.0);
+  }
+}
+
+TEST(CertifiedRidges, PlacesPointsOnTheTrueRidges)
+{
+  vtkNew<vtkCertifiedRidges> certified;
+  certified->SetInputData(EllipsoidOf(8));
+  certified->SetFormula(Ellipsoid);
+  certified->Update();
+  vtkPolyData* lines = certified->GetOutput();
+  vtkDataArray* patch =
+    certified->GetOutput(vtkCertifiedRidges::MESH)->GetCellData()->GetArray(names::UmbilicPatch);
+  ASSERT_NE(patch, nullptr);
+  int onRidge = 0;
+  for (vtkIdType p = 0; p < lines->GetNumberOfPoints(); ++p)
+  {
+    const Eigen::Vector3d x = PointAt(lines, p);
+    // In the coordinate planes, and on the surface, but for points inside patches.
+    const bool isExact = x.cwiseAbs().minCoeff() < 1e-11 &&
+      std::abs(x[0] * x[0] + x[1] * x[1] / 0.64 + x[2] * x[2] / 0.36 - 1.0) < 1e-12;
+    onRidge += isExact ? 1 : 0;
+  }
+  EXPECT_GT(onRidge, 0.9 * lines->GetNumberOfPoints());
+}
+
+// The result is consistent by the checks that know nothing of the formula, too.
+TEST(CertifiedRidges, PassesTheChecksOfConsistency)
+{
+  vtkNew<vtkCertifiedRidges> certified;
+  certified->SetInputData(EllipsoidOf(8));
+  certified->SetFormula(Ellipsoid);
+  vtkNew<vtkRidgeCoherence> coherence;
+  coherence->SetInputConnection(0, certified->GetOutputPort(vtkCertifiedRidges::MESH));
+  coherence->SetInputConnection(1, certified->GetOutputPort(vtkCertifiedRidges::RIDGES));
+  coherence->SetInputConnection(2, certified->GetOutputPort(vtkCertifiedRidges::UMBILICS));
+  coherence->Update();
+  vtkTable* checks = coherence->GetOutput();
+  ASSERT_GT(checks->GetNumberOfRows(), 0);
+  for (vtkIdType row = 0; row < checks->GetNumberOfRows(); ++row)
+  {
+    const std::string name = checks->GetValueByName(row, names::Check).ToString();
+    if (name != "points on edges") // they are on the surface instead
+    {
+      EXPECT_EQ(checks->GetValueByName(row, names::Passed).ToInt(), 1) << name;
+    }
+  }
+}
+
+TEST(CertifiedRidges, FailsOnACoarseMeshThatMayNotBeRefined)
+{
+  vtkNew<vtkCertifiedRidges> certified;
+  const MessageRecorder messages(certified);
+  certified->SetInputData(EllipsoidOf(2));
+  certified->SetFormula(Ellipsoid);
+  certified->SetMaximumNumberOfPoints(0);
+  certified->Update();
+  EXPECT_NE(messages.WarningText().find("not certified"), std::string::npos);
+  vtkPolyData* mesh = certified->GetOutput(vtkCertifiedRidges::MESH);
+  EXPECT_EQ(mesh->GetNumberOfPoints(), 42);
+  EXPECT_EQ(mesh->GetCellData()->GetArray(names::Certificate)->GetRange()[0], 0.0);
+}
+
+TEST(CertifiedRidges, ChecksAFunctionWithoutAFormula)
+{
+  vtkNew<Quadric> quadric;
+  vtkNew<vtkCertifiedRidges> certified;
+  const MessageRecorder messages(certified);
+  certified->SetInputData(EllipsoidOf(6));
+  certified->SetJetFunction(quadric);
+  certified->Update();
+  EXPECT_NE(messages.ErrorText().find("a proof needs a formula"), std::string::npos);
+  certified->SetLevelToChecked();
+  certified->Update();
+  for (const auto& [name, verdict] :
+    VerdictsOf(certified->GetOutputDataObject(vtkCertifiedRidges::TABLE)))
+  {
+    EXPECT_EQ(verdict, "checked") << name;
+  }
+}
+
+TEST(CertifiedRidges, ReportsWhatCannotBeUsed)
+{
+  vtkNew<vtkCertifiedRidges> certified;
+  const MessageRecorder messages(certified);
+  certified->SetInputData(EllipsoidOf(2));
+  certified->SetFormula("x^2+foo(y)");
+  certified->Update();
+  EXPECT_NE(messages.ErrorText().find("at character 5"), std::string::npos) << messages.ErrorText();
+  certified->SetFormula("x^2+1");
+  certified->Update();
+  EXPECT_NE(messages.ErrorText().find("no Monge form"), std::string::npos) << messages.ErrorText();
+}
+
+TEST(CertifiedRidges, IsTheSameForAnyNumberOfThreads)
+{
+  std::string before;
+  for (const int threads : { 1, 4 })
+  {
+    vtkSMPTools::Initialize(threads);
+    vtkNew<vtkCertifiedRidges> certified;
+    certified->SetInputData(EllipsoidOf(3));
+    certified->SetFormula(Ellipsoid);
+    certified->Update();
+    const std::string bytes = BytesOf(certified->GetOutput()) +
+      BytesOf(certified->GetOutput(vtkCertifiedRidges::MESH)) +
+      BytesOf(certified->GetOutput(vtkCertifiedRidges::EDGES));
+    EXPECT_TRUE(before.empty() || bytes == before);
+    before = bytes;
+  }
+  vtkSMPTools::Initialize();
+}
+
+TEST(CertifiedRidges, GivesEmptyOutputForEmptyInput)
+{
+  vtkNew<vtkPolyData> empty;
+  vtkNew<vtkCertifiedRidges> certified;
+  const MessageRecorder messages(certified);
+  certified->SetInputData(empty);
+  certified->SetFormula(Ellipsoid);
+  certified->Update();
+  EXPECT_EQ(messages.ErrorText(), "");
+  EXPECT_TRUE(IsEmpty(certified->GetOutput()));
+}
+
+TEST(CompliantRefinement, EndsOnSurfacesOfRevolution)
+{
+  for (const char* formula : { "x^2+y^2+z^2-1", "x^2+y^2+z^2/0.36-1" })
+  {
+    vtkNew<vtkCompliantRefinement> refinement;
+    refinement->SetInputData(ToPolyData(Icosphere(6)));
+    refinement->SetFormula(formula);
+    refinement->Update();
+    auto verdicts = VerdictsOf(refinement->GetOutputDataObject(1));
+    const std::string& failed = verdicts[formula == std::string("x^2+y^2+z^2-1") ? "D1" : "D2"];
+    EXPECT_EQ(failed, "failed: the surface is not generic there") << formula;
+    EXPECT_EQ(refinement->GetOutput()->GetNumberOfPoints(), 362);
+  }
+}
+
+TEST(CompliantRefinement, StopsAtTheLimit)
+{
+  vtkNew<vtkCompliantRefinement> refinement;
+  refinement->SetInputData(EllipsoidOf(2));
+  refinement->SetFormula(Ellipsoid);
+  refinement->SetMaximumNumberOfPoints(60);
+  refinement->Update();
+  EXPECT_LT(refinement->GetOutput()->GetNumberOfPoints(), 150); // a round at most doubles it
+  const auto verdicts = VerdictsOf(refinement->GetOutputDataObject(1));
+  EXPECT_TRUE(std::any_of(verdicts.begin(), verdicts.end(),
+    [](const auto& verdict) { return verdict.second == "failed"; }));
+}
