@@ -86,7 +86,7 @@ void CompliantMesh::ComputeForms(Id begin, Id end)
     this->Exact_.Differentiate(points);
     for (int lane = 0; lane < points.count; ++lane)
     {
-      const auto p = static_cast<std::size_t>(first + lane);
+      const std::size_t p = static_cast<std::size_t>(first) + static_cast<std::size_t>(lane);
       this->NumberOfFaults_ += points.fault[lane] == ExactFault::None ? 0 : 1;
       const MongeForm form = this->IsReversed_ ? Flipped(points.form[lane]) : points.form[lane];
       std::copy_n(points.position[lane].data(), 3, &this->Points_[3 * p]);

@@ -12,6 +12,9 @@
 namespace ridges
 {
 
+// Boost gives the names.
+// NOLINTBEGIN(readability-identifier-naming)
+
 /**
  * How the ends of intervals are rounded: computed to nearest and moved outward by more than the
  * error. The rounding mode of the processor stays as it is, which compilers take for granted.
@@ -100,6 +103,8 @@ struct WholeIfUndefined
   static double empty_upper() { return pos_inf(); }
   static bool is_empty(double lower, double upper) { return !(lower <= upper); }
 };
+
+// NOLINTEND(readability-identifier-naming)
 
 /// An interval that contains all values that an expression can take.
 using Interval = boost::numeric::interval<double,
