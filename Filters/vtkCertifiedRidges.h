@@ -23,6 +23,9 @@
  * |             | number of ridges that cross its image, -1 if that is unknown                |
  * | TABLE       | a vtkTable, as port 1 of vtkCompliantRefinement                             |
  *
+ * The points are on the surface, not on the straight edges of the mesh: the check "points on edges"
+ * of vtkRidgeCoherence fails them. Inside patches ridges are paths on the mesh.
+ *
  * Where a hypothesis fails, ridges come out as the acute rule gives them, with a warning.
  *
  * @sa vtkCompliantRefinement vtkRidgeExtraction

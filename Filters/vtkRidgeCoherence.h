@@ -70,6 +70,7 @@
  *
  * Two rules need a formula of the surface and are not checked: that the acute rule orients every
  * edge as continuity does (definition 5), and that exact ridges cross an edge at most once (2.2d).
+ * vtkCertifiedRidges checks them.
  *
  * @sa
  * vtkUmbilicDetection vtkRidgeExtraction

@@ -270,7 +270,7 @@ std::string vtkRidgesCertificateOutput::StoreMesh(vtkPolyData* mesh, vtkPolyData
   }
 
   vtkRidgesMesh built;
-  const std::string faults = built.Build(bare);
+  std::string faults = built.Build(bare);
   if (!faults.empty())
   {
     return faults;

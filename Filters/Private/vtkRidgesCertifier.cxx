@@ -60,11 +60,13 @@ std::string vtkRidgesCertifier::SetMesh(vtkPolyData* input, const Choice& choice
   }
   const ridges::TriangleMesh& triangles = mesh.GetTriangles();
   std::vector<Eigen::Vector3d> points;
+  points.reserve(static_cast<std::size_t>(triangles.NumberOfPoints()));
   for (ridges::Id p = 0; p < triangles.NumberOfPoints(); ++p)
   {
     points.emplace_back(triangles.Point(p));
   }
   std::vector<ridges::Triangle> corners;
+  corners.reserve(static_cast<std::size_t>(triangles.NumberOfTriangles()));
   for (ridges::Id t = 0; t < triangles.NumberOfTriangles(); ++t)
   {
     corners.push_back(triangles.Corners(t));
