@@ -15,6 +15,19 @@ expect_files(given-ridges.vtp given-umbilics.vtp own-mesh.vtp own-ridges.vtp own
 file(REMOVE "${DIRECTORY}/own-ridges.vtp" "${DIRECTORY}/own-umbilics.vtp"
   "${DIRECTORY}/given-ridges.vtp" "${DIRECTORY}/given-umbilics.vtp")
 
+# With a proof, and without one where there is none.
+run(0 ${formula} ${box} --edge-length 0.15 --certify --no-picture --output certified)
+expect("${output}" "umbilics [+]1/2: 4, -1/2: 0" "\n  S1 +5[.]2[.]1 +proved\n" "\n  2[.]2d[.]ii +6[.]3 +proved\n")
+run(3 --formula "x^2 + y^2 + z^2 - 1" --bounds -1.1,1.1,-1.1,1.1,-1.1,1.1 --edge-length 0.4 --certify
+  --no-picture --output certified)
+expect("${output}" "\n  D1 +5[.]2[.]1 +failed: the surface is not generic there\n")
+expect("${errors}" "hypotheses are not proved : see the table")
+file(REMOVE "${DIRECTORY}/certified-ridges.vtp" "${DIRECTORY}/certified-umbilics.vtp")
+expect_failure(2 "--certify has no effect without --formula" --certify)
+expect_failure(2 "--check has no effect with --certify" ${formula} ${box} --certify --check)
+expect_failure(2 "--type-rule has no effect with --certify"
+  ${formula} ${box} --certify --type-rule third-order)
+
 # What does not go together
 expect_failure(2 "--formula needs --bounds" ${formula})
 expect_failure(2 "--bounds has no effect without --formula, or with MESH" ${box})

@@ -52,7 +52,47 @@ void PrintCheck(std::ostream& os, vtkTable* checks, vtkIdType row)
   }
 }
 
+void PrintHypothesis(std::ostream& os, vtkTable* certificate, vtkIdType row)
+{
+  constexpr int nameWidth = 24;
+  constexpr int sectionWidth = 13;
+  const auto text = [&certificate, &row](const char* column)
+  { return std::string(certificate->GetValueByName(row, column).ToString()); };
+  os << "  " << std::left << std::setw(nameWidth) << text(names::Check) << std::setw(sectionWidth)
+     << text(names::Section) << text(names::Verdict) << "\n";
+  if (certificate->GetValueByName(row, names::Passed).ToInt() == 0)
+  {
+    const std::string indent(2 + nameWidth + sectionWidth, ' ');
+    const double* position =
+      vtkDataArray::SafeDownCast(certificate->GetColumnByName(names::OffenderPosition))
+        ->GetTuple(row);
+    os << indent << "expected: " << text(names::Expected) << "\n"
+       << indent << text(names::NumberOfOffenders) << " times, " << text(names::OffenderKind) << " "
+       << text(names::Offenders) << " : at " << position[0] << " " << position[1] << " "
+       << position[2] << "\n";
+  }
+}
+
 } // namespace
+
+void PrintCertificate(std::ostream& os, vtkTable* certificate)
+{
+  os << "\nhypotheses                section      verdict\n";
+  for (vtkIdType row = 0; row < certificate->GetNumberOfRows(); ++row)
+  {
+    PrintHypothesis(os, certificate, row);
+  }
+}
+
+vtkIdType CountFailedHypotheses(vtkTable* certificate)
+{
+  vtkIdType count = 0;
+  for (vtkIdType row = 0; row < certificate->GetNumberOfRows(); ++row)
+  {
+    count += certificate->GetValueByName(row, names::Passed).ToInt() == 0 ? 1 : 0;
+  }
+  return count;
+}
 
 void PrintChecks(std::ostream& os, vtkTable* checks)
 {

@@ -17,6 +17,12 @@ void PrintChecks(std::ostream& os, vtkTable* checks);
 /// Number of checks whose offenders neither noise nor a coarse mesh explains.
 vtkIdType CountFailedChecks(vtkTable* checks);
 
+/// Prints the table of vtkCertifiedRidges in the same way.
+void PrintCertificate(std::ostream& os, vtkTable* certificate);
+
+/// Number of hypotheses that could not be proved.
+vtkIdType CountFailedHypotheses(vtkTable* certificate);
+
 } // namespace program
 
 #endif

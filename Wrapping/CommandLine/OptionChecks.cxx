@@ -31,6 +31,7 @@ void CheckEffects(const CLI::App& app, const Options& options, const Filters& fi
       "without --formula, or with MESH" },
     { "--edge-length", !options.formula.empty() && options.mesh.empty(),
       "without --formula, or with MESH" },
+    { "--certify", !options.formula.empty(), "without --formula" },
     { "--minimum-number-of-points", neighborhood == vtkJetFitting::BY_POINT_COUNT,
       "without --neighborhood point-count" },
     { "--number-of-rings", neighborhood == vtkJetFitting::BY_RINGS,
@@ -45,6 +46,7 @@ void CheckEffects(const CLI::App& app, const Options& options, const Filters& fi
     { "--picture-size", hasPicture, "with --no-picture" },
     { "--view", hasPicture, "with --no-picture" },
     { "--up", hasPicture, "with --no-picture" },
+    { "--check", !options.certify, "with --certify, which checks more" },
     { "--check", options.strict || !options.quiet, "with --quiet and without --strict" },
   };
   for (const Condition& condition : conditions)
@@ -128,6 +130,10 @@ void CheckFormula(const CLI::App& app, const Options& options)
     if (option->count() > 0 && IsOfGroup(option, { "Jet fitting" }))
     {
       throw Contradiction(option->get_name() + " has no effect with --formula");
+    }
+    if (options.certify && option->count() > 0 && IsOfGroup(option, { "Umbilics", "Ridges" }))
+    {
+      throw Contradiction(option->get_name() + " has no effect with --certify");
     }
   }
 }

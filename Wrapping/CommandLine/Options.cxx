@@ -66,7 +66,8 @@ void AddInput(CLI::App& app, Options& options, vtkRidgeExampleSource* example)
     ->excludes(mesh);
 }
 
-void AddFormula(CLI::App& app, Options& options, vtkImplicitSurfaceMesh* surfaceMesh)
+void AddFormula(CLI::App& app, Options& options, vtkImplicitSurfaceMesh* surfaceMesh,
+  vtkCertifiedRidges* certified)
 {
   OptionGroup group(app, "Formula");
   group
@@ -85,6 +86,16 @@ void AddFormula(CLI::App& app, Options& options, vtkImplicitSurfaceMesh* surface
     "--edge-length", "L", surfaceMesh->GetEdgeLength(), { 0.0, AnyLength },
     [surfaceMesh](double length) { surfaceMesh->SetEdgeLength(length); },
     "length of the edges of the mesh; 0 is a hundredth of the diagonal of --bounds");
+  CLI::Option* certify = group.Flag(
+    "--certify", [&options](bool on) { options.certify = on; },
+    "refine the mesh until interval arithmetic proves that all ridges and umbilics are found, and "
+    "print what is proved; exit with code 3 if not all is");
+  group
+    .Number<int>(
+      "--certify-points", "N", static_cast<int>(certified->GetMaximumNumberOfPoints()),
+      { 0, VTK_INT_MAX }, [certified](int count) { certified->SetMaximumNumberOfPoints(count); },
+      "points from which on --certify does not refine the mesh any more")
+    ->needs(certify);
 }
 
 void AddLines(CLI::App& app, Options& options)
@@ -198,13 +209,13 @@ std::optional<int> ParseCommandLine(int argc, char** argv, Options& options, Fil
 {
   CLI::App app("Finds the ridges and umbilics of a triangle mesh and draws them.", "vtkridges");
   app.formatter(std::make_shared<HelpFormatter>(std::vector<std::string>{ "MESH", "--orient",
-    "--surface", "--formula", "--bounds", "--edge-length", "--complete", "--salient",
+    "--surface", "--formula", "--bounds", "--edge-length", "--certify", "--complete", "--salient",
     "--neighborhood", "--minimum-number-of-points", "--crest-only", "--minimum-sharpness", "--keep",
     "--fold-angle", "--relative-scale", "--output", "--write-mesh", "--check", "--strict",
     "--no-picture", "--view", "--quiet", "--help", "--help-all", "--version" }));
   app.set_help_flag(); // Added again at the end, to be listed there.
   AddInput(app, options, filters.example);
-  AddFormula(app, options, filters.surfaceMesh);
+  AddFormula(app, options, filters.surfaceMesh, filters.certified);
   AddLines(app, options);
   AddJetFitting(app, filters.jetFitting);
   AddUmbilics(app, filters.umbilics);

@@ -7,6 +7,7 @@
 #include "Picture.h"
 #include "Repair/RepairMesh.h"
 
+#include "vtkCertifiedRidges.h"
 #include "vtkImplicitMongeForm.h"
 #include "vtkImplicitSurfaceMesh.h"
 #include "vtkJetFitting.h"
@@ -31,6 +32,7 @@ struct Filters
   vtkNew<vtkImplicitSurfaceMesh> surfaceMesh;
   vtkNew<vtkJetFitting> jetFitting;
   vtkNew<vtkImplicitMongeForm> exactForms; ///< Instead of the fit, where there is a formula.
+  vtkNew<vtkCertifiedRidges> certified;    ///< Instead of all up to the ridges, if wanted.
   vtkNew<vtkUmbilicDetection> umbilics;
   vtkNew<vtkRidgeExtraction> ridges;
   vtkNew<vtkRidgeCoherence> coherence;
@@ -43,6 +45,7 @@ struct Options
 {
   std::string mesh;    ///< Empty: the surface of the formula or, without one, the example.
   std::string formula; ///< Of the surface, if it is not empty.
+  bool certify = false;
   RepairOptions repair;
   Lines lines = Lines::ByData;
   std::string output; ///< Path and beginning of the names of the files written.

@@ -11,6 +11,7 @@
 #include "vtkPointData.h"
 #include "vtkRidgesArrayNames.h"
 #include "vtkStringArray.h"
+#include "vtkTable.h"
 
 namespace program
 {
@@ -162,6 +163,24 @@ void RunJetFitting(vtkPolyData* mesh, vtkJetFitting* jetFitting, Stages& stages)
     });
 }
 
+/// From the mesh to ridges with a certificate.
+void RunCertified(
+  vtkPolyData* mesh, const Options& options, Filters& filters, Stages& stages, Results& results)
+{
+  vtkCertifiedRidges* certified = filters.certified;
+  certified->SetInputData(mesh);
+  certified->SetFormula(options.formula.c_str());
+  stages.Run("certificate", "see the table", certified, [certified] { certified->Update(); });
+  filters.sharpness->SetInputConnection(certified->GetOutputPort());
+  RunStage(stages, "filter", filters.sharpness);
+  results.mesh = certified->GetOutput(vtkCertifiedRidges::MESH);
+  results.umbilics = certified->GetOutput(vtkCertifiedRidges::UMBILICS);
+  results.allRidges = certified->GetOutput();
+  results.ridges = filters.sharpness->GetOutput();
+  results.certificate =
+    vtkTable::SafeDownCast(certified->GetOutputDataObject(vtkCertifiedRidges::TABLE));
+}
+
 /// The ridges of all points of the mesh, from its forms on.
 void RunComplete(const Options& options, Filters& filters, Stages& stages, Results& results)
 {
@@ -207,6 +226,11 @@ void RunSalient(vtkPolyData* mesh, vtkSalientRidges* salient, Stages& stages, Re
 void RunFilters(const Options& options, Filters& filters, Stages& stages, Results& results)
 {
   const vtkSmartPointer<vtkPolyData> mesh = MakeMesh(options, filters, stages, results);
+  if (options.certify)
+  {
+    RunCertified(mesh, options, filters, stages, results);
+    return;
+  }
   Lines lines = options.lines;
   if (!options.formula.empty())
   {

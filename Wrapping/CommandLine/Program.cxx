@@ -174,6 +174,13 @@ ExitCode Run(const Options& options, Filters& filters)
               << " failed : see the table of --check, or leave out --strict\n";
     return ExitCheckFailed;
   }
+  const vtkIdType unproved = results.certificate ? CountFailedHypotheses(results.certificate) : 0;
+  if (unproved > 0)
+  {
+    std::cerr << "vtkridges: " << unproved << (unproved == 1 ? " hypothesis is" : " hypotheses are")
+              << " not proved : see the table, and Certificates.md\n";
+    return ExitCheckFailed;
+  }
   return ExitDone;
 }
 

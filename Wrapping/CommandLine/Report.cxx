@@ -290,6 +290,10 @@ void PrintReport(std::ostream& os, const Results& results,
   {
     PrintRidges(os, results);
   }
+  if (results.certificate)
+  {
+    PrintCertificate(os, results.certificate);
+  }
   if (results.checks)
   {
     PrintChecks(os, results.checks);

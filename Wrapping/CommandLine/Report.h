@@ -24,6 +24,7 @@ struct Results
   vtkPolyData* allRidges = nullptr; ///< Before the filter.
   vtkPolyData* ridges = nullptr;    ///< After it.
   vtkTable* checks = nullptr;       ///< Of all ridges, or null.
+  vtkTable* certificate = nullptr;  ///< Of a surface given by a formula, or null.
   bool isInsideOut = false;         ///< Whether the normals of a closed mesh point inwards.
   bool areSalient = false;          ///< Whether the ridges are salient lines.
   std::string lineChoice;           ///< Which lines the data decided for, and why; or empty.
