@@ -13,6 +13,8 @@ from vtkmodules.vtkFiltersCore import vtkFlyingEdges3D
 from vtkmodules.vtkFiltersSources import vtkParametricFunctionSource
 
 from vtkridges import (
+    vtkCertifiedRidges,
+    vtkCompliantRefinement,
     vtkImageMongeForm,
     vtkImplicitMongeForm,
     vtkImplicitSurfaceMesh,
@@ -36,6 +38,43 @@ def ellipsoid_forms(formula=ELLIPSOID):
 
 def array(forms, name):
     return vtk_to_numpy(forms.GetOutput().GetPointData().GetArray(name))
+
+
+def verdicts(table):
+    rows = range(table.GetNumberOfRows())
+    return {
+        table.GetValueByName(row, "Check").ToString(): table.GetValueByName(row, "Verdict").ToString()
+        for row in rows
+    }
+
+
+class TestCertificates(unittest.TestCase):
+    def certified(self, cls, frequency):
+        source = vtkRidgeExampleSource()
+        source.SetSurfaceToEllipsoid()
+        source.SetFrequency(frequency)
+        certified = cls()
+        certified.SetInputConnection(source.GetOutputPort())
+        axes = source.GetSemiAxes()
+        terms = (f"({x}/{axis!r})^2" for x, axis in zip("xyz", axes))
+        certified.SetFormula(" + ".join(terms) + " - 1")
+        certified.Update()
+        return certified
+
+    def test_an_ellipsoid_is_proved(self):
+        certified = self.certified(vtkCertifiedRidges, 6)
+        self.assertEqual(set(verdicts(certified.GetOutputDataObject(4)).values()), {"proved"})
+        self.assertEqual(certified.GetOutput(1).GetNumberOfPoints(), 4)
+
+    def test_refinement_marks_the_mesh(self):
+        refinement = self.certified(vtkCompliantRefinement, 4)
+        self.assertEqual(set(verdicts(refinement.GetOutputDataObject(1)).values()), {"proved"})
+        ridges = vtkRidgeExtraction()
+        ridges.SetInputConnection(refinement.GetOutputPort())
+        ridges.Update()
+        cells = refinement.GetOutput().GetCellData()
+        self.assertEqual(set(vtk_to_numpy(cells.GetArray("Certificate"))), {2})
+        self.assertGreaterEqual(ridges.GetOutput().GetNumberOfLines(), 6)
 
 
 class TestFormulas(unittest.TestCase):
