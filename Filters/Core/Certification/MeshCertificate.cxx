@@ -218,7 +218,7 @@ public:
             found[i].failed |=
               IsMapped(this->Input_.surface, MappedTriangleOf(this->Input_, corners))
               ? std::uint16_t(0)
-              : MeshFollowsSurface;
+              : std::uint16_t(MeshFollowsSurface);
             found[i].place = mesh.Centroid(t);
             continue;
           }

@@ -196,7 +196,8 @@ TriangleCertificate CertifyTriangle(
   {
     result = umbilics;
     result.failed |= OneUmbilic;
-    result.failed |= IsMapped(surface, whole) ? std::uint16_t(0) : MeshFollowsSurface;
+    result.failed |=
+      IsMapped(surface, whole) ? std::uint16_t(0) : std::uint16_t(MeshFollowsSurface);
   }
   result.place = result.failed != 0 ? result.place : whole.Position({ 0.3, 0.3, 0.4 });
   result.failed |= NoRidgeInTriangle;
