@@ -13,9 +13,11 @@
 #include "vtkDataArray.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkPlaneSource.h"
 #include "vtkPointData.h"
 #include "vtkSMPTools.h"
 #include "vtkTable.h"
+#include "vtkTriangleFilter.h"
 #include "vtkVariant.h"
 
 #include <gtest/gtest.h>
@@ -107,6 +109,30 @@ TEST(CertifiedRidges, ProvesAnEllipsoid)
     EXPECT_NEAR(std::abs(x[2]), 0.6 * std::sqrt(0.4375), 1e-12);
     EXPECT_EQ(Value(umbilics->GetPointData(), names::RidgeCount, i), 1.0);
   }
+}
+
+// Two ridges leave this umbilic within three degrees, so that the disk around it that can be
+// certified is a small fraction of an edge.
+TEST(CertifiedRidges, ProvesAnUmbilicWithCloseRidges)
+{
+  vtkNew<vtkPlaneSource> plane;
+  plane->SetOrigin(-0.08, -0.0824, 0.0);
+  plane->SetPoint1(0.0808, -0.0824, 0.0);
+  plane->SetPoint2(-0.08, 0.08, 0.0);
+  plane->SetResolution(5, 5);
+  vtkNew<vtkTriangleFilter> triangles;
+  triangles->SetInputConnection(plane->GetOutputPort());
+  vtkNew<vtkCertifiedRidges> certified;
+  certified->SetInputConnection(triangles->GetOutputPort());
+  certified->SetSurfaceType(vtkCertifiedRidges::GRAPH);
+  certified->SetFormula("0.5*(x^2+y^2)+0.3*(x^2*y-0.0005*y^3)");
+  certified->Update();
+  for (const auto& [name, verdict] :
+    VerdictsOf(certified->GetOutputDataObject(vtkCertifiedRidges::TABLE)))
+  {
+    EXPECT_EQ(verdict, "proved") << name;
+  }
+  EXPECT_EQ(certified->GetOutput(vtkCertifiedRidges::UMBILICS)->GetNumberOfPoints(), 1);
 }
 
 TEST(CertifiedRidges, PlacesPointsOnTheTrueRidges)

@@ -222,7 +222,7 @@ std::vector<std::uint8_t> CompliantMesh::MarkEdges(
 /// Where shorter edges than that would be needed, the surface is not generic, or so it seems.
 bool CompliantMesh::IsLong(Id edge) const
 {
-  constexpr double least = 1e-4;
+  constexpr double least = 1e-6;
   const Edge& ends = this->Mesh_->EdgeAt(edge);
   return (this->Mesh_->Point(ends.v0) - this->Mesh_->Point(ends.v1)).norm() >
     least * this->MeanEdgeAtFirst_;

@@ -40,6 +40,9 @@ double LongestSide(const TriangleMesh& mesh, Id triangle)
 namespace
 {
 
+/// Covers the round-off of what is computed without intervals.
+constexpr double Slack = 1e-12;
+
 /// The weights with which a triangle is mapped to a point, as far as Newton's method gets.
 Eigen::Vector3d WeightsOf(const MappedTriangle& whole, const Eigen::Vector3d& x)
 {
@@ -121,13 +124,13 @@ bool PatchSearch::IsInDisk(const UmbilicCertificate& umbilic, Id triangle) const
     if (isInside)
     {
       const Eigen::Vector3d middle = umbilic.frame.transpose() * (bounds.center - umbilic.position);
-      double reach = 0.0;
-      for (const Interval& side : bounds.box)
-      {
-        reach += Magnitude(side);
-      }
-      isInside = middle.head<2>().norm() + reach < umbilic.radius &&
-        std::abs(middle[2]) + reach < umbilic.height;
+      const Eigen::Vector3d sides(
+        Magnitude(bounds.box[0]), Magnitude(bounds.box[1]), Magnitude(bounds.box[2]));
+      const Eigen::Vector3d reach = (umbilic.frame.transpose() * bounds.frame).cwiseAbs() * sides +
+        Slack * middle.cwiseAbs() +
+        Eigen::Vector3d::Constant(Slack * (sides.sum() + umbilic.position.norm()) + umbilic.error);
+      isInside = middle.head<2>().norm() + reach.head<2>().norm() < umbilic.radius &&
+        std::abs(middle[2]) + reach[2] < umbilic.height;
     }
     if (isInside)
     {
