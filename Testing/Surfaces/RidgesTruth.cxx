@@ -5,7 +5,7 @@
 //
 //   RidgesTruth <surface> [--points 20000] [--patch-size 2] [--seed 0] [--noise 0]
 //               [--degree 4] [--fit-points 18 | --rings 8 | --automatic] [--gaussian]
-//               [--smooth 0.01] [--type-significance 3]
+//               [--smooth 0.01] [--exact] [--type-significance 3]
 //               [--reference 150000] [--cache <directory>] [--brief]
 //
 // surface: ellipsoid, blend, sphere, torus, "double torus", blob, metaballs; "blob:7" is another
@@ -15,13 +15,15 @@
 // --degree, --fit-points, --rings, --automatic, --gaussian: of vtkJetFitting; its defaults if not
 // given.
 // --smooth: all orders by vtkMongeSmoothing, to this share of the diameter. 0: not at all.
+// --exact: the exact Monge forms instead of a fit. What is lost then, the mesh cannot show.
 // --type-significance: of vtkRidgeExtraction.
 // --reference: points of the mesh with exact Monge forms that the true ridges are traced on.
 // --cache: where meshes and true ridges are kept for the next run.
-// --brief: one line, and one for each failed check of vtkRidgeCoherence.
+// --brief: one line, one for the fit, and one for each failed check of vtkRidgeCoherence.
 //
 // Lengths of positions and distances are in edges of the mesh. A ridge is a whole one (RidgeId).
 
+#include "ExactForms.h"
 #include "FilterPicture.h"
 #include "FilterTestTools.h"
 #include "RidgeComparison.h"
@@ -75,6 +77,7 @@ struct Options
   int rings = 0;
   bool automatic = false;
   bool gaussian = false;
+  bool exact = false;
   double smooth = 0.0;
   double typeSignificance = -1.0;
   int reference = 150000;
@@ -107,6 +110,11 @@ Options ParseOptions(int argc, char** argv)
     if (name == "--automatic")
     {
       options.automatic = true;
+      continue;
+    }
+    if (name == "--exact")
+    {
+      options.exact = true;
       continue;
     }
     if (++i == argc)
@@ -236,6 +244,17 @@ double MedianErrorOfP1(vtkPolyData* fitted, const ClosedSurface& closed)
 }
 
 //------------------------------------------------------------------------------
+// What an automatic fit chose.
+void PrintFit(vtkDataObject* mesh)
+{
+  if (vtkAbstractArray* fit =
+        mesh->GetFieldData()->GetAbstractArray(vtkRidgesArrayNames::SelectedFit))
+  {
+    std::printf("fit: %s\n", fit->GetVariantValue(0).ToString().c_str());
+  }
+}
+
+//------------------------------------------------------------------------------
 double Seconds()
 {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
@@ -298,8 +317,15 @@ void Run(const Options& options)
   smoothing->SetMethodToAllOrders();
   smoothing->SetRelativeSigma(options.smooth);
   smoothing->SetInputConnection(jets->GetOutputPort());
-  umbilics->SetInputConnection(
-    options.smooth > 0.0 ? smoothing->GetOutputPort() : jets->GetOutputPort());
+  if (options.exact)
+  {
+    umbilics->SetInputData(WithExactForms(data, closed.surface, rotation));
+  }
+  else
+  {
+    umbilics->SetInputConnection(
+      options.smooth > 0.0 ? smoothing->GetOutputPort() : jets->GetOutputPort());
+  }
   umbilics->SetPatchSize(options.patchSize);
   ridges->SetInputConnection(umbilics->GetOutputPort());
   if (options.typeSignificance >= 0.0)
@@ -323,6 +349,7 @@ void Run(const Options& options)
       mesh.PointCount(), static_cast<unsigned long long>(options.seed), options.patchSize,
       options.noise);
     comparison.PrintLine(euler);
+    PrintFit(umbilics->GetOutput(0));
     PrintFailedChecks(umbilics, ridges);
     return;
   }
@@ -332,11 +359,7 @@ void Run(const Options& options)
   std::printf("seconds: fit %.2f, umbilics %.2f, ridges %.2f\n", fitted - begin, detected - fitted,
     extracted - detected);
   comparison.PrintTables(euler);
-  if (vtkAbstractArray* fit =
-        jets->GetOutput()->GetFieldData()->GetAbstractArray(vtkRidgesArrayNames::SelectedFit))
-  {
-    std::printf("fit: %s\n", fit->GetVariantValue(0).ToString().c_str());
-  }
+  PrintFit(umbilics->GetOutput(0));
   if (options.seed == 0 && options.noise == 0.0)
   {
     std::printf("median error of P1: %.2g of its root mean square; %lld lines of one type\n",
