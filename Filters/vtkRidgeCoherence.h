@@ -45,8 +45,10 @@
  * | turning points        | loops and ridges between umbilics have an even number | ridge       |
  * | intersections         | ridges of one colour do not cross                     | cell        |
  * | patches               | each is a disk and contains its umbilic               | umbilic     |
- * | ridges inside patches | the only ones run from the umbilic to the contour     | ridge       |
- * | patch contours        | RidgeCount ridges of each colour cross one            | umbilic     |
+ * | ridges inside patches | the only ones run from the umbilic to the contour or, | ridge       |
+ * |                       | if RidgeCount is 3, back to the umbilic               |             |
+ * | patch contours        | RidgeCount ridges of each colour cross one, or two    | umbilic     |
+ * |                       | fewer for one that leads back to the umbilic inside   |             |
  * | right angles          | maximum directions at the ends of an edge do not make | edge        |
  * |                       | one, outside patches                                  |             |
  * | double crossings      | outside patches a colour crosses an edge once at most | edge        |

@@ -77,6 +77,16 @@ bool LeadsFromUmbilicToBorder(const RidgePicture& picture, const WholeRidge& rid
     ((first.umbilic == umbilic && last.edge >= 0) || (last.umbilic == umbilic && first.edge >= 0));
 }
 
+/// As one of the three ridges at an umbilic may do with another.
+bool LeadsFromUmbilicToItself(const RidgePicture& picture, const WholeRidge& ridge, Id umbilic)
+{
+  const RidgeChain& chain = ridge.chains.front();
+  const PictureUmbilic* around = picture.UmbilicOf(umbilic);
+  return around && around->ridgeCount == 3 && ridge.chains.size() == 1 && !chain.closed &&
+    picture.points[chain.points.front()].umbilic == umbilic &&
+    picture.points[chain.points.back()].umbilic == umbilic;
+}
+
 } // namespace
 
 CoherenceCheck CheckPatches(const RidgePicture& picture)
@@ -113,7 +123,8 @@ CoherenceCheck CheckRidgesInPatches(
   for (const WholeRidge& ridge : ridges)
   {
     const Id patch = PatchAround(picture, ridge);
-    if (patch >= 0 && !LeadsFromUmbilicToBorder(picture, ridge, patch))
+    if (patch >= 0 && !LeadsFromUmbilicToBorder(picture, ridge, patch) &&
+      !LeadsFromUmbilicToItself(picture, ridge, patch))
     {
       const Id point = ridge.chains.front().points.front();
       check.offenders.push_back({ { ridge.id, -1 }, picture.points[point].position });
@@ -128,6 +139,8 @@ CoherenceCheck CheckPatchContours(
 {
   CoherenceCheck check(CheckKind::PatchContours, OffenderKind::Umbilic);
   std::map<Id, std::array<int, 2>> counts;
+  // Ends of ridges from an umbilic to itself that do not leave its patch.
+  std::map<Id, std::array<int, 2>> inside;
   const auto count = [&picture, &counts](Id p, Color color)
   {
     const Id edge = picture.points[p].edge;
@@ -148,6 +161,11 @@ CoherenceCheck CheckPatchContours(
   };
   for (const WholeRidge& ridge : ridges)
   {
+    const Id patch = PatchAround(picture, ridge);
+    if (patch >= 0 && LeadsFromUmbilicToItself(picture, ridge, patch))
+    {
+      inside[patch][ridge.color == Color::Blue ? 0 : 1] += 2;
+    }
     for (const RidgeChain& chain : ridge.chains)
     {
       for (std::size_t i = chain.closed ? 1 : 0; i < chain.points.size(); ++i)
@@ -160,7 +178,11 @@ CoherenceCheck CheckPatchContours(
   first.umbilics = picture.umbilics.size();
   for (const PictureUmbilic& umbilic : picture.umbilics)
   {
-    const std::array<int, 2> found = counts[umbilic.id];
+    std::array<int, 2> found = counts[umbilic.id];
+    for (std::size_t color = 0; color < found.size(); ++color)
+    {
+      found[color] += found[color] < umbilic.ridgeCount ? inside[umbilic.id][color] : 0;
+    }
     if (!HasItsRidges(picture, umbilic, found))
     {
       if (check.offenders.empty())

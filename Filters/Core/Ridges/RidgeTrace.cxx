@@ -109,7 +109,8 @@ public:
       const RidgeSegment& segment = this->Segments_[ridge.segments[i]];
       if (segment.path != RidgeSegment::NoPath)
       {
-        this->AppendPath(trace, segment, ridge.nodes[i] == segment.edge0);
+        const bool forward = !Ridge::IsUmbilic(ridge.nodes[i]) && ridge.nodes[i] == segment.edge0;
+        this->AppendPath(trace, segment, forward);
         trace.types.push_back(segment.type);
         trace.vertices.push_back(next);
       }
@@ -179,10 +180,12 @@ private:
       : UmbilicInTriangle(mesh, field, vertex.umbilic);
     const std::size_t segment = std::min(node, beside);
     const Id path = this->Segments_[ridge.segments[segment]].path;
-    // A piece has at most one end at an umbilic, so that the other is on an edge.
+    // A piece with both ends at an umbilic has a path, which is walked backwards.
     const bool throughPath = path != RidgeSegment::NoPath && !this->Paths_[path].points.empty();
-    const RidgePoint next =
-      throughPath ? this->Paths_[path].points.back() : this->PointAt(ridge, beside);
+    const bool atEnd = node > beside && Ridge::IsUmbilic(ridge.nodes[beside]);
+    const RidgePoint next = !throughPath
+      ? this->PointAt(ridge, beside)
+      : (atEnd ? this->Paths_[path].points.front() : this->Paths_[path].points.back());
     vertex.point = RidgePointAtUmbilic(mesh, field, vertex.umbilic, position, next);
     return vertex;
   }

@@ -4,7 +4,9 @@
 
 #include "Mesh/PositionOrder.h"
 #include "Ridges/Patch/PairingRing.h"
+#include "Ridges/Patch/PatchCurves.h"
 #include "Ridges/Patch/PatchPaths.h"
+#include "Ridges/Patch/RefinedPatch.h"
 
 #include <Eigen/Geometry>
 
@@ -162,15 +164,25 @@ PatchRidges::Joints PatchRidges::Join(const RidgePatch& patch, const PatchContou
 void PatchRidges::Draw(const RidgePatch& patch, std::vector<RidgeSegment>& segments,
   std::vector<RidgePath>& paths, std::vector<std::uint8_t>& isReplaced) const
 {
-  const TriangleMesh& mesh = this->Crossings_.Mesh();
-  const Color color = this->Crossings_.RidgeColor();
-  const PatchContour contour(mesh, patch.triangles);
+  const PatchContour contour(this->Crossings_.Mesh(), patch.triangles);
   const std::vector<Crossing> crossings = this->FindCrossings(contour, patch.umbilic);
   // An odd number without an umbilic to end at means triangles missing: nothing to be done.
   const bool hasUmbilic = contour.Contains(patch.umbilic);
-  if (this->IsDrawnByMarching(patch, crossings) || (crossings.size() % 2 != 0 && !hasUmbilic))
+  // Two ridges to an umbilic that cross the same edges are not seen by marching.
+  const bool hidesRidges = hasUmbilic && static_cast<int>(crossings.size()) < patch.ridgeCount;
+  const bool isDrawn = this->IsDrawnByMarching(patch, crossings);
+  if ((isDrawn && !hidesRidges) || (crossings.size() % 2 != 0 && !hasUmbilic))
   {
     return;
+  }
+  std::vector<PatchCurve> curves;
+  if (!this->FindCurves(patch, contour, curves))
+  {
+    if (isDrawn)
+    {
+      return;
+    }
+    curves = this->MakeCurves(patch, contour, crossings);
   }
   for (const Id t : patch.triangles)
   {
@@ -179,48 +191,93 @@ void PatchRidges::Draw(const RidgePatch& patch, std::vector<RidgeSegment>& segme
       isReplaced[t] = 1;
     }
   }
-  const Joints joints = this->Join(patch, contour, crossings);
-
-  const auto edgeOf = [&contour](std::size_t side) { return contour.Sides()[side].edge; };
-  const auto add = [this, &mesh, &color, &segments, &paths](Id triangle, Id edge0, Id edge1,
-                     RidgeType type, const std::vector<EdgeCrossing>& through)
+  for (const PatchCurve& curve : curves)
   {
-    RidgePath path;
-    for (const EdgeCrossing& crossing : through)
-    {
-      path.edges.push_back(crossing.edge);
-      path.points.push_back(
-        RidgePointAt(mesh, this->Crossings_.Field(), color, crossing.edge, crossing.parameter));
-    }
-    segments.push_back({ triangle, edge0, edge1, type, static_cast<Id>(paths.size()) });
-    paths.push_back(std::move(path));
-  };
+    this->Append(patch, contour, curve, segments, paths);
+  }
+}
 
-  PatchPaths layout(mesh, this->Crossings_.Field(), contour);
+/// In the interpolated form, where the only umbilic is that of the patch.
+bool PatchRidges::FindCurves(
+  const RidgePatch& patch, const PatchContour& contour, std::vector<PatchCurve>& curves) const
+{
+  if (!contour.Contains(patch.umbilic) || !this->IsSingular(patch.umbilic))
+  {
+    return false;
+  }
+  const auto singular = std::count_if(
+    patch.triangles.begin(), patch.triangles.end(), [this](Id t) { return this->IsSingular(t); });
+  if (singular != 1)
+  {
+    return false;
+  }
+  const RefinedPatch refined(this->Crossings_.Mesh(), this->Crossings_.Field(),
+    this->Crossings_.RidgeColor(), patch.triangles, patch.umbilic);
+  return PatchCurves(this->Crossings_, contour, refined, patch.umbilic)
+    .Find(patch.ridgeCount, curves);
+}
+
+std::vector<PatchCurve> PatchRidges::MakeCurves(const RidgePatch& patch,
+  const PatchContour& contour, const std::vector<Crossing>& crossings) const
+{
+  const Joints joints = this->Join(patch, contour, crossings);
+  PatchPaths layout(this->Crossings_.Mesh(), this->Crossings_.Field(), contour);
   std::vector<Eigen::Vector3d> starts;
   for (const std::size_t side : joints.toUmbilic)
   {
-    starts.push_back(this->Crossings_.PointOn(edgeOf(side)).position);
+    starts.push_back(this->Crossings_.PointOn(contour.Sides()[side].edge).position);
   }
   const auto toUmbilic = layout.ToPoint(joints.toUmbilic, starts, patch.umbilic, patch.position);
+  std::vector<PatchCurve> curves;
   for (std::size_t i = 0; i < toUmbilic.size(); ++i)
   {
-    add(patch.umbilic, edgeOf(joints.toUmbilic[i]), RidgeSegment::ToUmbilic, TypeOf(color, false),
-      toUmbilic[i]);
+    curves.push_back({ static_cast<int>(joints.toUmbilic[i]), PatchCurve::Umbilic, toUmbilic[i] });
   }
   for (const Pair& pair : joints.pairs)
   {
-    // Cut along an edge a region may have the same crossing twice: nothing is left of the ridge.
-    const Id edge0 = edgeOf(pair.first);
-    const Id edge1 = edgeOf(pair.last);
-    const auto through = layout.AlongContour(pair.first, pair.last);
-    if (edge0 != edge1)
-    {
-      const bool elliptic =
-        this->Crossings_.PointOn(edge0).P + this->Crossings_.PointOn(edge1).P < 0.0;
-      add(contour.Sides()[pair.first].triangle, edge0, edge1, TypeOf(color, elliptic), through);
-    }
+    curves.push_back({ static_cast<int>(pair.first), static_cast<int>(pair.last),
+      layout.AlongContour(pair.first, pair.last) });
   }
+  return curves;
+}
+
+void PatchRidges::Append(const RidgePatch& patch, const PatchContour& contour,
+  const PatchCurve& curve, std::vector<RidgeSegment>& segments, std::vector<RidgePath>& paths) const
+{
+  const TriangleMesh& mesh = this->Crossings_.Mesh();
+  const Color color = this->Crossings_.RidgeColor();
+  const bool starts = curve.from == PatchCurve::Umbilic;
+  const bool ends = curve.to == PatchCurve::Umbilic;
+  const auto edgeOf = [&contour](int side)
+  { return side == PatchCurve::Umbilic ? RidgeSegment::ToUmbilic : contour.Sides()[side].edge; };
+  RidgePath path;
+  for (const EdgeCrossing& crossing : curve.path)
+  {
+    path.edges.push_back(crossing.edge);
+    path.points.push_back(
+      RidgePointAt(mesh, this->Crossings_.Field(), color, crossing.edge, crossing.parameter));
+  }
+  RidgeSegment segment{ patch.umbilic, edgeOf(curve.from), edgeOf(curve.to), TypeOf(color, false),
+    static_cast<Id>(paths.size()) };
+  if (starts && !ends)
+  {
+    std::swap(segment.edge0, segment.edge1);
+    std::reverse(path.edges.begin(), path.edges.end());
+    std::reverse(path.points.begin(), path.points.end());
+  }
+  if (!starts && !ends)
+  {
+    // Cut along an edge a region may have the same crossing twice: nothing is left of the ridge.
+    if (segment.edge0 == segment.edge1)
+    {
+      return;
+    }
+    segment.triangle = contour.Sides()[curve.from].triangle;
+    segment.type = TypeOf(color,
+      this->Crossings_.PointOn(segment.edge0).P + this->Crossings_.PointOn(segment.edge1).P < 0.0);
+  }
+  segments.push_back(segment);
+  paths.push_back(std::move(path));
 }
 
 } // namespace ridges

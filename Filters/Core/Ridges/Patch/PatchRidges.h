@@ -9,6 +9,8 @@
 namespace ridges
 {
 
+struct PatchCurve;
+
 /// A patch around an umbilic, or a region where umbilics have cancelled each other.
 struct RidgePatch
 {
@@ -67,6 +69,12 @@ private:
   bool IsDrawnByMarching(const RidgePatch& patch, const std::vector<Crossing>& crossings) const;
   Joints Join(const RidgePatch& patch, const PatchContour& contour,
     const std::vector<Crossing>& crossings) const;
+  bool FindCurves(
+    const RidgePatch& patch, const PatchContour& contour, std::vector<PatchCurve>& curves) const;
+  std::vector<PatchCurve> MakeCurves(const RidgePatch& patch, const PatchContour& contour,
+    const std::vector<Crossing>& crossings) const;
+  void Append(const RidgePatch& patch, const PatchContour& contour, const PatchCurve& curve,
+    std::vector<RidgeSegment>& segments, std::vector<RidgePath>& paths) const;
   bool IsSingular(Id triangle) const;
 
   const RidgeCrossings& Crossings_;
