@@ -56,8 +56,8 @@ bool PatchCurves::Append(const Trail& trail, std::vector<PatchCurve>& curves)
   this->IsDone_[trail.sides.back()] = 1;
   curves.push_back(trail.curve);
   PatchCurve& curve = curves.back();
-  const bool isInTriangle = curve.from == PatchCurve::Umbilic && curve.to == PatchCurve::Umbilic &&
-    curve.path.empty();
+  const bool isInTriangle =
+    curve.from == PatchCurve::Umbilic && curve.to == PatchCurve::Umbilic && curve.path.empty();
   return !isInTriangle || this->LeadOverBorder(trail, curve.path);
 }
 
@@ -157,14 +157,14 @@ bool PatchCurves::LookAtContour()
     std::sort(crossed.begin(), crossed.end());
     if (crossed.size() % 2 != 0)
     {
-      const OrderedEdge ends =
-        EndsInOrder(this->Crossings_.Mesh(), this->Crossings_.Field(), edge);
+      const OrderedEdge ends = EndsInOrder(this->Crossings_.Mesh(), this->Crossings_.Field(), edge);
       const double parameter = this->Crossings_.PointOn(edge).parameter;
       const double shown = ends.swaps ? 1.0 - parameter : parameter;
       std::size_t best = 0;
       for (std::size_t i = 2; i < crossed.size(); i += 2)
       {
-        best = std::abs(crossed[i].first - shown) < std::abs(crossed[best].first - shown) ? i : best;
+        best =
+          std::abs(crossed[i].first - shown) < std::abs(crossed[best].first - shown) ? i : best;
       }
       this->OnContour_[crossed[best].second] = number;
       crossed.erase(crossed.begin() + static_cast<std::ptrdiff_t>(best));
@@ -274,8 +274,8 @@ void PatchCurves::UniteNearLoops()
 bool PatchCurves::IsNear(const Trail& loop) const
 {
   const Eigen::Vector3d umbilic = this->MiddleOf(loop.sides.front());
-  return std::all_of(loop.sides.begin(), loop.sides.end(), [this, &umbilic](int side)
-    { return (this->MiddleOf(side) - umbilic).norm() < this->Reach_; });
+  return std::all_of(loop.sides.begin(), loop.sides.end(),
+    [this, &umbilic](int side) { return (this->MiddleOf(side) - umbilic).norm() < this->Reach_; });
 }
 
 /// A loop with what passes by nearest to it, where both are in one triangle of the mesh.
@@ -322,7 +322,8 @@ void PatchCurves::Unite(const Trail& loop, const std::vector<std::uint8_t>& isFr
     {
       if (isReached[near])
       {
-        // Each half of the one goes on in the half of the other on the same side of the way between.
+        // Each half of the one goes on in the half of the other on the same side of the way
+        // between.
         const int a = this->TriangleAlong(ofLoop, inner);
         const int b = this->TriangleAlong(beyond, near);
         for (const int turn : { 0, 1 })

@@ -95,10 +95,10 @@ private:
   std::vector<Side> Sides_;                 ///< Those that are crossed.
   std::vector<std::array<int, 3>> SidesOf_; ///< Of each triangle, -1 where not crossed.
   std::unordered_map<std::uint64_t, int> NumberOf_;
-  std::vector<int> OnHole_;      ///< Places around the hole, by side, or -1.
-  std::vector<int> OnContour_;   ///< Sides of the contour, by side, or -1.
-  std::vector<int> TurnsTo_;     ///< By side: another on the same edge, or -1.
-  std::vector<int> AroundHole_;  ///< Sides there, in order.
+  std::vector<int> OnHole_;       ///< Places around the hole, by side, or -1.
+  std::vector<int> OnContour_;    ///< Sides of the contour, by side, or -1.
+  std::vector<int> TurnsTo_;      ///< By side: another on the same edge, or -1.
+  std::vector<int> AroundHole_;   ///< Sides there, in order.
   std::map<Step, Step> Switches_; ///< From a triangle to a side into a triangle beyond another.
   std::vector<std::uint8_t> IsDone_;
 };

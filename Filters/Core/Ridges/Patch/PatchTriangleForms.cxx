@@ -69,8 +69,8 @@ double PatchTriangleForms::ExtremalityAt(
   const SymmetricTensor<3> form = this->ThirdOrderAt(weights);
   const double cosine = std::cos(angle);
   const double sine = std::sin(angle);
-  return ContractAll(form,
-    color == Color::Blue ? Eigen::Vector2d(cosine, sine) : Eigen::Vector2d(-sine, cosine));
+  return ContractAll(
+    form, color == Color::Blue ? Eigen::Vector2d(cosine, sine) : Eigen::Vector2d(-sine, cosine));
 }
 
 double PatchTriangleForms::SpreadAround(const SymmetricTensor<3>& b) const
@@ -94,8 +94,7 @@ double PatchTriangleForms::DifferenceOfOrders(
   Eigen::Matrix2d rises;
   for (int i = 0; i < 2; ++i)
   {
-    const Eigen::Vector3d side =
-      mesh.Point(this->corners[i + 1]) - mesh.Point(this->corners[0]);
+    const Eigen::Vector3d side = mesh.Point(this->corners[i + 1]) - mesh.Point(this->corners[0]);
     sides.col(i) << side.dot(this->e1), side.dot(this->e2);
     rises.col(i) = this->second.col(i + 1) - this->second.col(0);
   }

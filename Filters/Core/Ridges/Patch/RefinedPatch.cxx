@@ -116,8 +116,7 @@ RefinedPatch::EdgeVertices& RefinedPatch::OnEdge(Id edge)
       const double t = static_cast<double>(k) / NumberOfParts;
       const int v = k == 0
         ? this->AtPoint(ends.p)
-        : (k == NumberOfParts ? this->AtPoint(ends.q)
-                              : this->AddOnEdge(edge, t));
+        : (k == NumberOfParts ? this->AtPoint(ends.q) : this->AddOnEdge(edge, t));
       vertices.even.push_back(v);
       vertices.all.emplace_back(t, v);
     }
@@ -128,8 +127,8 @@ RefinedPatch::EdgeVertices& RefinedPatch::OnEdge(Id edge)
 void RefinedPatch::AddToEdge(Id edge, double parameter)
 {
   EdgeVertices& vertices = this->OnEdge(edge);
-  const auto after = std::lower_bound(
-    vertices.all.begin(), vertices.all.end(), std::make_pair(parameter, -1));
+  const auto after =
+    std::lower_bound(vertices.all.begin(), vertices.all.end(), std::make_pair(parameter, -1));
   constexpr double least = 1e-6;
   if (after == vertices.all.begin() || after == vertices.all.end() ||
     after->first - parameter < least || parameter - (after - 1)->first < least)
@@ -199,10 +198,8 @@ void RefinedPatch::Cut(Id triangle)
     std::vector<int> row;
     for (int i = 0; i + j <= n; ++i)
     {
-      const Eigen::Vector3d weights =
-        Eigen::Vector3d(n - i - j, i, j) / static_cast<double>(n);
-      row.push_back(
-        i == 0 ? left[j] : (i + j == n ? slope[j] : this->AddInside(forms, weights)));
+      const Eigen::Vector3d weights = Eigen::Vector3d(n - i - j, i, j) / static_cast<double>(n);
+      row.push_back(i == 0 ? left[j] : (i + j == n ? slope[j] : this->AddInside(forms, weights)));
     }
     for (int i = 0; i + j <= n; ++i)
     {
@@ -287,8 +284,7 @@ bool RefinedPatch::AddRays(const PatchTriangleForms& forms)
   for (std::size_t i = 0; i < roots.size(); ++i)
   {
     const double next = i + 1 < roots.size() ? roots[i + 1] : roots[0] + Pi;
-    const double angle =
-      0.5 * (roots[i] + next) - (this->Color_ == Color::Blue ? 0.0 : 0.5 * Pi);
+    const double angle = 0.5 * (roots[i] + next) - (this->Color_ == Color::Blue ? 0.0 : 0.5 * Pi);
     const Eigen::Vector3d way = forms.WayTo(angle);
     int side = -1;
     double length = 0.0;

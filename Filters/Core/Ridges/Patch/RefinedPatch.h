@@ -101,7 +101,7 @@ private:
   std::vector<std::vector<int>> Rings_;
   std::unordered_map<Id, int> OfPoint_;
   std::unordered_map<Id, EdgeVertices> OfEdge_;
-  std::unordered_map<std::uint64_t, Part> Parts_;                ///< From the smaller number.
+  std::unordered_map<std::uint64_t, Part> Parts_;               ///< From the smaller number.
   std::unordered_map<std::uint64_t, std::vector<int>> Between_; ///< From the smaller number.
 };
 
