@@ -47,6 +47,7 @@ constexpr const char* SelectedDegree = "SelectedDegree";
 constexpr const char* SelectedNumberOfRings = "SelectedNumberOfRings";
 constexpr const char* SelectedNumberOfAverages = "SelectedNumberOfAverages";
 constexpr const char* EstimatedNoise = "EstimatedNoise";
+constexpr const char* NoiseCorrelation = "NoiseCorrelation";
 constexpr const char* SelectedFit = "SelectedFit";
 ///@}
 

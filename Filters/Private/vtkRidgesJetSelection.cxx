@@ -17,6 +17,7 @@
 #include "vtkPolyData.h"
 #include "vtkStringArray.h"
 
+#include <algorithm>
 #include <memory>
 #include <sstream>
 #include <string>
@@ -48,6 +49,29 @@ struct TryPoints
   }
 };
 
+struct LookAtRemains
+{
+  const ridges::TriangleMesh& mesh;
+  const ridges::OrderedRings& rings;
+  const std::vector<ridges::Id>& sample;
+  const ridges::JetChoice& choice;
+  std::vector<ridges::JetRemains>& remains;
+  vtkRidgesPerThread<ridges::JetProbe> perThread;
+
+  void operator()(vtkIdType begin, vtkIdType end)
+  {
+    // A polynomial on fewer follows what neighbours have in common.
+    constexpr int fewestRings = 5;
+    ridges::JetProbe& probe = this->perThread.Get(
+      [this] { return std::make_shared<ridges::JetProbe>(this->mesh, this->rings); });
+    for (vtkIdType i = begin; i < end; ++i)
+    {
+      this->remains[i] = probe.RemainsOf(
+        this->sample[i], std::max(this->choice.numberOfRings, fewestRings), this->choice.degree);
+    }
+  }
+};
+
 template <typename Array, typename Value>
 void AddOne(vtkFieldData* field, const char* name, Value value)
 {
@@ -71,6 +95,12 @@ std::string TextOf(const ridges::JetChoice& choice)
   if (choice.noise > hardlyAny * choice.edge)
   {
     text << ", for noise of about " << 100.0 * choice.noise / choice.edge << " % of an edge";
+    // Of noise that is independent, estimates scatter by about 0.03.
+    constexpr double hardlyCorrelated = 0.1;
+    if (choice.correlation > hardlyCorrelated)
+    {
+      text << " that is not independent from point to point: not a reliable estimate";
+    }
   }
   else
   {
@@ -103,6 +133,13 @@ bool vtkRidgesSelectJets(vtkAlgorithm* filter, const ridges::TriangleMesh& mesh,
     selection.Add(trials);
   }
   choice = selection.Choice();
+  std::vector<ridges::JetRemains> remains(sample.size());
+  LookAtRemains look{ mesh, rings, sample, choice, remains, {} };
+  if (!vtkRidgesForBatches(filter, static_cast<vtkIdType>(sample.size()), from, to, look))
+  {
+    return false;
+  }
+  choice.correlation = ridges::NeighborCorrelation(remains);
   return true;
 }
 
@@ -133,8 +170,9 @@ void vtkRidgesAverageJets(
 void vtkRidgesStoreJetChoice(vtkPolyData* mesh, const ridges::JetChoice* choice)
 {
   vtkFieldData* field = vtkRidgesOwnFieldData(mesh);
-  for (const char* name : { names::SelectedDegree, names::SelectedNumberOfRings,
-         names::SelectedNumberOfAverages, names::EstimatedNoise, names::SelectedFit })
+  for (const char* name :
+    { names::SelectedDegree, names::SelectedNumberOfRings, names::SelectedNumberOfAverages,
+      names::EstimatedNoise, names::NoiseCorrelation, names::SelectedFit })
   {
     field->RemoveArray(name);
   }
@@ -144,6 +182,7 @@ void vtkRidgesStoreJetChoice(vtkPolyData* mesh, const ridges::JetChoice* choice)
     AddOne<vtkIntArray>(field, names::SelectedNumberOfRings, choice->numberOfRings);
     AddOne<vtkIntArray>(field, names::SelectedNumberOfAverages, choice->numberOfAverages);
     AddOne<vtkDoubleArray>(field, names::EstimatedNoise, choice->noise);
+    AddOne<vtkDoubleArray>(field, names::NoiseCorrelation, choice->correlation);
     AddOne<vtkStringArray>(field, names::SelectedFit, TextOf(*choice));
   }
 }

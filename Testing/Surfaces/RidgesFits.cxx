@@ -122,10 +122,10 @@ Errors ErrorsOf(vtkPolyData* fitted, const std::vector<ExactMonge>& exact)
     std::array<double, 4> b{};
     data->GetArray(names::ThirdOrder)->GetTuple(id, b.data());
     const auto third = ridges::InBasis(b, first, second);
-    const auto curvature = ridges::InBasis(
-      std::array<double, 3>{ Value(data, names::MaximumCurvature, id), 0.0,
-        Value(data, names::MinimumCurvature, id) },
-      first, second);
+    const auto curvature =
+      ridges::InBasis(std::array<double, 3>{ Value(data, names::MaximumCurvature, id), 0.0,
+                        Value(data, names::MinimumCurvature, id) },
+        first, second);
     const double times[] = { 1.0, 3.0, 3.0, 1.0 };
     double square = 0.0;
     for (int i = 0; i < 4; ++i)
@@ -134,8 +134,7 @@ Errors ErrorsOf(vtkPolyData* fitted, const std::vector<ExactMonge>& exact)
     }
     sums[1] += std::sqrt(square);
     sums[0] += std::sqrt((curvature[0] - form.k1) * (curvature[0] - form.k1) +
-      2.0 * curvature[1] * curvature[1] +
-      (curvature[2] - form.k2) * (curvature[2] - form.k2));
+      2.0 * curvature[1] * curvature[1] + (curvature[2] - form.k2) * (curvature[2] - form.k2));
   }
   const auto count = static_cast<double>(exact.size());
   return { sums[0] / count, sums[1] / count };

@@ -19,6 +19,9 @@ struct JetChoice
   int numberOfAverages = 0;
   double noise = 0.0; ///< Standard deviation of the heights.
   double edge = 0.0;  ///< Roughly, that of the mesh.
+
+  /// See JetTrial.h: where it is not about 0, the noise is not what `noise` says.
+  double correlation = 0.0;
 };
 
 /**

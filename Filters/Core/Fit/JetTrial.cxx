@@ -113,6 +113,66 @@ JetTrial JetProbe::Try(Id vertex, int numberOfRings, int bands)
   return trial;
 }
 
+JetRemains JetProbe::RemainsOf(Id vertex, int numberOfRings, int degree)
+{
+  JetRemains remains;
+  if (!this->SetHeights(vertex, numberOfRings) || this->Local_.cols() < FewestPoints(degree))
+  {
+    return remains;
+  }
+  this->SetBasis(degree);
+  const Eigen::Index size = this->Basis_.rows();
+  Eigen::MatrixXd gram = Eigen::MatrixXd::Zero(size, size);
+  gram.selfadjointView<Eigen::Lower>().rankUpdate(this->Basis_);
+  const Eigen::LLT<Eigen::MatrixXd> factor(gram.selfadjointView<Eigen::Lower>());
+  if (factor.info() != Eigen::Success)
+  {
+    return remains;
+  }
+  const Eigen::VectorXd coefficients = factor.solve(this->Basis_ * this->Local_.row(2).transpose());
+  const Eigen::VectorXd influence = factor.solve(this->Basis_.col(0));
+  const Eigen::VectorXd heights =
+    this->Local_.row(2).transpose() - this->Basis_.transpose() * coefficients;
+  const double meanSquare = heights.squaredNorm() / static_cast<double>(heights.size());
+  if (!(meanSquare > 0.0))
+  {
+    return remains;
+  }
+  // The vertex is the first of the points, its neighbours are the next ones.
+  const auto last =
+    std::min<Eigen::Index>(this->Mesh_.TrianglesAround(vertex).size(), this->Local_.cols() - 1);
+  for (Eigen::Index i = 0; i <= last; ++i)
+  {
+    const double left = heights[i] / std::sqrt(meanSquare);
+    const double shared = -this->Basis_.col(i).dot(influence);
+    if (i == 0)
+    {
+      remains.own = left;
+      remains.variance = 1.0 + shared;
+      continue;
+    }
+    remains.around += left / static_cast<double>(last);
+    remains.covariance += shared / static_cast<double>(last);
+  }
+  return remains;
+}
+
+double NeighborCorrelation(const std::vector<JetRemains>& remains)
+{
+  double square = 0.0;
+  double product = 0.0;
+  double variance = 0.0;
+  double covariance = 0.0;
+  for (const JetRemains& of : remains)
+  {
+    square += of.own * of.own;
+    product += of.own * of.around;
+    variance += of.variance;
+    covariance += of.covariance;
+  }
+  return square > 0.0 && variance > 0.0 ? product / square - covariance / variance : 0.0;
+}
+
 /// Over a plane along which the area around the vertex lies.
 bool JetProbe::SetHeights(Id vertex, int numberOfRings)
 {

@@ -8,6 +8,7 @@
 #include <Eigen/Core>
 
 #include <array>
+#include <vector>
 
 namespace ridges
 {
@@ -47,6 +48,26 @@ struct JetTrial
   std::array<Band, NumberOfBands> band{};
 };
 
+/// What a fit leaves over at a vertex and beside it, in units of its rms over all points: else the
+/// few places that polynomials cannot follow would be all that counts.
+struct JetRemains
+{
+  double own = 0.0;    ///< At the vertex.
+  double around = 0.0; ///< Mean of its neighbours.
+
+  /// Of noise of unit variance that is independent from point to point: the variance of the one,
+  /// and the covariance of both.
+  double variance = 0.0;
+  double covariance = 0.0;
+};
+
+/**
+ * How much of the heights that fits leave over is the same at neighbours: about 0 where noise is
+ * independent from point to point, up to 1 where it was smoothed or resampled, or where it is not
+ * noise that is left over, but the surface.
+ */
+double NeighborCorrelation(const std::vector<JetRemains>& remains);
+
 /// Makes the trials. Holds scratch memory: use one per thread.
 class JetProbe
 {
@@ -58,6 +79,9 @@ public:
 
   /// With the points of some rings, in degrees up to that of the last band.
   JetTrial Try(Id vertex, int numberOfRings, int bands = JetTrial::NumberOfBands);
+
+  /// All zero if there is no fit.
+  JetRemains RemainsOf(Id vertex, int numberOfRings, int degree);
 
 private:
   bool SetHeights(Id vertex, int numberOfRings);
