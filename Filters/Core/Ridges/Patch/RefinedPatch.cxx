@@ -250,6 +250,7 @@ void RefinedPatch::CutAroundUmbilic(const PatchTriangleForms& forms)
     size *= 0.5;
     const std::vector<int>& last = this->Rings_.back();
     std::vector<int> next;
+    next.reserve(count);
     for (const Eigen::Vector3d& weights : border)
     {
       next.push_back(this->AddInside(forms, umbilic + size * (weights - umbilic)));
