@@ -97,18 +97,12 @@ public:
   ///@{
   /**
    * Degree of the polynomial, 1 to 8; 6 and 8 are more exact on clean meshes, and slower. Default
-   * 0: chosen with Neighborhood AUTOMATIC, else 4, as ridges need c.
+   * 0: chosen with Neighborhood AUTOMATIC, else 4, as ridges need c. MongeOrder is the highest
+   * order of the Monge form in the output, 1 to 4: 1 normals, 2 curvatures and directions, 3
+   * ThirdOrder, 4 FourthOrder, P1, P2; at most the degree. Default 4: ridges need all.
    */
   vtkSetClampMacro(Degree, int, 0, 8);
   vtkGetMacro(Degree, int);
-  ///@}
-
-  ///@{
-  /**
-   * Highest order of the Monge form in the output, 1 to 4: 1 normals, 2 curvatures and
-   * directions, 3 ThirdOrder, 4 FourthOrder, P1, P2; at most the degree. Default 4: ridges need
-   * all.
-   */
   vtkSetClampMacro(MongeOrder, int, 1, 4);
   vtkGetMacro(MongeOrder, int);
   ///@}
@@ -137,16 +131,11 @@ public:
    * Minimum number of points in a neighbourhood, itself included; at least 3, raised to 15, 26, 34,
    * 45, 56 in degrees 4 to 8. Default 18: two rings of a regular mesh have 19, and the 15
    * coefficients of degree 4 would interpolate. Use more on noisy data.
-   */
-  vtkSetClampMacro(MinimumNumberOfPoints, int, 3, VTK_INT_MAX);
-  vtkGetMacro(MinimumNumberOfPoints, int);
-  ///@}
-
-  ///@{
-  /**
    * Number of rings in a neighbourhood, 1 to 1000. Where they have too few points a lower degree is
    * fitted, and flagged. Default 3: two are enough on a regular mesh only; four from degree 7 on.
    */
+  vtkSetClampMacro(MinimumNumberOfPoints, int, 3, VTK_INT_MAX);
+  vtkGetMacro(MinimumNumberOfPoints, int);
   vtkSetClampMacro(NumberOfRings, int, 1, 1000);
   vtkGetMacro(NumberOfRings, int);
   ///@}

@@ -109,22 +109,19 @@ public:
    * How a ridge is classified as elliptic or hyperbolic: by the sign of P (FOURTH_ORDER, equation
    * 3) or by whether the curvature rises towards it (THIRD_ORDER, section 5.3). Default
    * FOURTH_ORDER: the other fails where an edge is almost parallel to the ridge.
-   */
-  vtkSetClampMacro(TypeRule, int, FOURTH_ORDER, THIRD_ORDER);
-  vtkGetMacro(TypeRule, int);
-  void SetTypeRuleToFourthOrder() { this->SetTypeRule(FOURTH_ORDER); }
-  void SetTypeRuleToThirdOrder() { this->SetTypeRule(THIRD_ORDER); }
-  ///@}
-
-  ///@{
-  /**
    * ExtremalityRule defines a crossing: a change of sign of b0 or b3, each colour by itself
    * (PRINCIPAL), or, for comparison, of the Gaussian extremality b0 b3 (GAUSSIAN, section 5.2.3),
    * whose curves change colour and ignore umbilics, ExtractMaximum and ExtractMinimum. Default
    * PRINCIPAL: it keeps ridges connected. CrossingRule places a crossing on its edge: at the zero
    * of the interpolated Monge form (FORM), or by equation (4) from the values at its ends (LINEAR).
-   * Default FORM: LINEAR zigzags by a third of an edge near umbilics.
+   * Default FORM: LINEAR zigzags by a third of an edge near umbilics. UmbilicJoining joins ridges
+   * to umbilics in patches (PATCHES, section 6.3) or in all singular triangles (TRIANGLES, section
+   * 6.2). Default PATCHES: triangles near umbilics are unreliable.
    */
+  vtkSetClampMacro(TypeRule, int, FOURTH_ORDER, THIRD_ORDER);
+  vtkGetMacro(TypeRule, int);
+  void SetTypeRuleToFourthOrder() { this->SetTypeRule(FOURTH_ORDER); }
+  void SetTypeRuleToThirdOrder() { this->SetTypeRule(THIRD_ORDER); }
   vtkSetClampMacro(ExtremalityRule, int, PRINCIPAL, GAUSSIAN);
   vtkGetMacro(ExtremalityRule, int);
   void SetExtremalityRuleToPrincipal() { this->SetExtremalityRule(PRINCIPAL); }
@@ -133,11 +130,6 @@ public:
   vtkGetMacro(CrossingRule, int);
   void SetCrossingRuleToForm() { this->SetCrossingRule(FORM); }
   void SetCrossingRuleToLinear() { this->SetCrossingRule(LINEAR); }
-  ///@}
-
-  ///@{
-  /// How ridges are joined to umbilics: in patches (section 6.3), or in all singular triangles
-  /// (section 6.2). Default PATCHES: triangles near umbilics are unreliable.
   vtkSetClampMacro(UmbilicJoining, int, PATCHES, TRIANGLES);
   vtkGetMacro(UmbilicJoining, int);
   void SetUmbilicJoiningToPatches() { this->SetUmbilicJoining(PATCHES); }

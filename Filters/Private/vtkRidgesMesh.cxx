@@ -4,15 +4,14 @@
 
 #include "Core/Base/Finite.h"
 #include "vtkRidgesArrayReader.h"
+#include "vtkRidgesTriangleFetch.h"
 #include "vtkRidgesTriangulate.h"
 
-#include "vtkArrayDispatch.h"
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
 #include "vtkCellData.h"
 #include "vtkCommand.h"
 #include "vtkDataArray.h"
-#include "vtkDataArrayRange.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkInformation.h"
 #include "vtkInformationObjectBaseKey.h"
@@ -26,8 +25,6 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
-#include <iterator>
 #include <limits>
 #include <mutex>
 #include <utility>
@@ -38,16 +35,9 @@ namespace
 using ridges::Id;
 using ridges::Triangle;
 
-/// Runs body(begin, end) in parallel.
-template <typename Body>
-void ForRanges(vtkIdType count, Body body)
-{
-  vtkSMPTools::For(0, count, body);
-}
-
 void LendThreads(Id count, const std::function<void(Id, Id)>& body)
 {
-  ForRanges(count,
+  vtkSMPTools::For(0, count,
     [&body](vtkIdType begin, vtkIdType end)
     { body(static_cast<Id>(begin), static_cast<Id>(end)); });
 }
@@ -56,82 +46,6 @@ void LendThreads(Id count, const std::function<void(Id, Id)>& body)
 Id NumberOfShares()
 {
   return std::clamp(vtkSMPTools::GetEstimatedNumberOfThreads(), 1, 8);
-}
-
-/// Whether all cells are triangles, by their sizes.
-bool AreTriangles(vtkCellArray* cells)
-{
-  const vtkIdType count = cells->GetNumberOfCells();
-  return count == 0 ||
-    (cells->IsHomogeneous() == 3 && cells->GetNumberOfConnectivityIds() >= 3 * count);
-}
-
-/// The usual case, done in parallel: whether all triangles have three different points. Loops
-/// without branches, over values in a row.
-struct FetchTriangles
-{
-  template <typename Array>
-  void operator()(Array* connectivity, vtkIdType numberOfPoints,
-    ridges::Buffer<Triangle>& triangles, bool& good) const
-  {
-    const auto ids = vtk::DataArrayValueRange<1>(connectivity).begin();
-    std::atomic<bool> allGood(true);
-    ForRanges(static_cast<vtkIdType>(triangles.size()),
-      [ids, numberOfPoints, &triangles, &allGood](vtkIdType begin, vtkIdType end)
-      {
-        if (!Narrow(ids + 3 * begin, ids + 3 * end, numberOfPoints, triangles[begin].data()) ||
-          !HaveThreePoints(triangles.data() + begin, triangles.data() + end))
-        {
-          allGood = false;
-        }
-      });
-    good = allGood;
-  }
-
-private:
-  template <typename Iterator>
-  static bool Narrow(Iterator begin, Iterator end, vtkIdType numberOfPoints, Id* narrowed)
-  {
-    using PointId = typename std::iterator_traits<Iterator>::value_type;
-    PointId bits = 0;
-    Id largest = 0;
-    for (Iterator p = begin; p != end; ++p)
-    {
-      const PointId wide = *p;
-      const auto id = static_cast<Id>(wide);
-      bits |= wide;
-      largest = std::max(largest, id);
-      *narrowed++ = id;
-    }
-    return bits >= 0 && bits <= std::numeric_limits<Id>::max() && largest < numberOfPoints;
-  }
-
-  static bool HaveThreePoints(const Triangle* begin, const Triangle* end)
-  {
-    bool all = true;
-    for (const Triangle* c = begin; c < end; ++c)
-    {
-      all &= ((*c)[0] != (*c)[1]) & ((*c)[1] != (*c)[2]) & ((*c)[2] != (*c)[0]);
-    }
-    return all;
-  }
-};
-
-/// The types of ids that vtkCellArray stores. Others take the slow way.
-using StoredIds = vtkArrayDispatch::DispatchByValueType<vtkTypeList::Create<int, long, long long>>;
-
-bool AllFinite(const double* points, vtkIdType count)
-{
-  std::atomic<bool> finite(true);
-  ForRanges(count,
-    [points, &finite](vtkIdType begin, vtkIdType end)
-    {
-      if (!ridges::AllFinite(points + 3 * begin, points + 3 * end))
-      {
-        finite = false;
-      }
-    });
-  return finite;
 }
 
 vtkIdType CountTriangulatedCells(vtkPolyData* input)
@@ -187,24 +101,6 @@ bool IsSmallEnough(vtkPolyData* data)
 {
   constexpr vtkIdType largest = std::numeric_limits<Id>::max() / 3;
   return data->GetNumberOfPoints() <= largest && data->GetPolys()->GetNumberOfCells() <= largest;
-}
-
-/// All polys, if they are triangles that can be used, and there are no strips; else false.
-bool FetchAllTriangles(vtkPolyData* data, const double* points,
-  const std::vector<std::uint8_t>& usable, ridges::Buffer<Triangle>& triangles)
-{
-  const vtkIdType numberOfPoints = data->GetNumberOfPoints();
-  vtkCellArray* polys = data->GetPolys();
-  if (data->GetNumberOfStrips() > 0 || std::find(usable.begin(), usable.end(), 0) != usable.end() ||
-    !AreTriangles(polys) || !AllFinite(points, numberOfPoints))
-  {
-    return false;
-  }
-  triangles = ridges::Buffer<Triangle>(polys->GetNumberOfCells());
-  bool good = false;
-  return StoredIds::Execute(
-           polys->GetConnectivityArray(), FetchTriangles{}, numberOfPoints, triangles, good) &&
-    good;
 }
 
 vtkDataArray* CoordinatesOf(vtkPolyData* data)
@@ -428,7 +324,7 @@ std::string vtkRidgesMesh::BuildAnew(
   ridges::Buffer<Triangle> triangles;
   const bool all =
     !this->Ghosts.HasHidden() && (duplicates == Duplicates::Kept || !this->HasDuplicates());
-  if (!all || !FetchAllTriangles(input, adjacency->points, usable, triangles))
+  if (!all || !vtkRidgesFetchAllTriangles(input, adjacency->points, usable, triangles))
   {
     this->NumberOfTriangulatedCells = CountTriangulatedCells(input);
     if (this->NumberOfTriangulatedCells > 0)
