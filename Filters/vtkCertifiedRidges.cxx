@@ -2,20 +2,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkCertifiedRidges.h"
 
-#include "vtkJetFunction.h"
 #include "vtkRidgeExtraction.h"
 #include "vtkRidgesCertificateOutput.h"
 #include "vtkRidgesCertifier.h"
 #include "vtkRidgesRequest.h"
 
-#include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 #include "vtkTable.h"
 
-#include <algorithm>
 #include <string>
 
 vtkStandardNewMacro(vtkCertifiedRidges);
@@ -27,36 +24,6 @@ vtkCertifiedRidges::vtkCertifiedRidges()
 
 vtkCertifiedRidges::~vtkCertifiedRidges() = default;
 
-void vtkCertifiedRidges::SetJetFunction(vtkJetFunction* function)
-{
-  if (this->JetFunction != function)
-  {
-    this->JetFunction = function;
-    this->Modified();
-  }
-}
-
-vtkJetFunction* vtkCertifiedRidges::GetJetFunction() const
-{
-  return this->JetFunction;
-}
-
-vtkMTimeType vtkCertifiedRidges::GetMTime()
-{
-  const vtkMTimeType own = this->Superclass::GetMTime();
-  return this->JetFunction ? std::max(own, this->JetFunction->GetMTime()) : own;
-}
-
-int vtkCertifiedRidges::FillOutputPortInformation(int port, vtkInformation* info)
-{
-  if (port == TABLE)
-  {
-    info->Set(vtkDataObject::DATA_TYPE_NAME(), "vtkTable");
-    return 1;
-  }
-  return this->Superclass::FillOutputPortInformation(port, info);
-}
-
 int vtkCertifiedRidges::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
@@ -65,14 +32,8 @@ int vtkCertifiedRidges::RequestData(
   {
     return 0;
   }
-  vtkRidgesCertifier::Choice choice;
-  choice.isGraph = this->SurfaceType == GRAPH;
-  choice.formula = this->Formula;
-  choice.function = this->JetFunction;
-  choice.isProof = this->Level == PROVED;
-  choice.mostPoints = this->MaximumNumberOfPoints;
   vtkRidgesCertifier certifier;
-  if (!certifier.Run(this, input, choice))
+  if (!certifier.Run(this, input))
   {
     return 0;
   }
@@ -111,14 +72,4 @@ void vtkCertifiedRidges::StoreRidges(vtkPolyData* mesh, vtkPolyData* output)
   extraction->SetInputData(copy);
   extraction->Update();
   output->ShallowCopy(extraction->GetOutput());
-}
-
-void vtkCertifiedRidges::PrintSelf(ostream& os, vtkIndent indent)
-{
-  this->Superclass::PrintSelf(os, indent);
-  os << indent << "SurfaceType: " << (this->SurfaceType == GRAPH ? "Graph" : "Implicit") << "\n";
-  os << indent << "Formula: " << this->Formula << "\n";
-  os << indent << "Level: " << (this->Level == PROVED ? "Proved" : "Checked") << "\n";
-  os << indent << "MaximumNumberOfPoints: " << this->MaximumNumberOfPoints << "\n";
-  os << indent << "JetFunction: " << this->JetFunction.Get() << "\n";
 }

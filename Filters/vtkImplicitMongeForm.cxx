@@ -63,14 +63,7 @@ std::vector<std::array<double, 2>> ParametersOf(vtkPolyData* mesh, const double 
 
 } // namespace
 
-void vtkImplicitMongeForm::SetJetFunction(vtkJetFunction* function)
-{
-  if (this->JetFunction != function)
-  {
-    this->JetFunction = function;
-    this->Modified();
-  }
-}
+vtkCxxSetSmartPointerMacro(vtkImplicitMongeForm, JetFunction, vtkJetFunction);
 
 vtkJetFunction* vtkImplicitMongeForm::GetJetFunction() const
 {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRidgesCertifier.h"
 
+#include "vtkCertificationAlgorithm.h"
 #include "vtkJetFunction.h"
 #include "vtkRidgesArrayNames.h"
 #include "vtkRidgesCompatibility.h"
@@ -36,21 +37,26 @@ std::string FormulaOf(vtkPolyData* mesh)
 
 } // namespace
 
-std::string vtkRidgesCertifier::SetSurface(vtkPolyData* input, const Choice& choice)
+std::string vtkRidgesCertifier::SetSurface(vtkCertificationAlgorithm* filter, vtkPolyData* input)
 {
-  this->Proof = choice.isProof;
-  if (choice.function)
+  this->Proof = filter->GetLevel() == vtkCertificationAlgorithm::PROVED;
+  if (vtkJetFunction* function = filter->GetJetFunction())
   {
-    this->Surface.SetFunction(choice.function);
-    return choice.isProof ? "a proof needs a formula: bounds on a JetFunction are not known"
-                          : std::string();
+    this->Surface.SetFunction(function);
+    return this->Proof ? "a proof needs a formula: bounds on a JetFunction are not known"
+                       : std::string();
   }
-  this->Formula = choice.formula.empty() ? FormulaOf(input) : choice.formula;
-  return choice.isGraph ? this->Surface.SetGraph(this->Formula)
-                        : this->Surface.SetImplicit(this->Formula);
+  this->Formula = filter->GetFormula();
+  if (this->Formula.empty())
+  {
+    this->Formula = FormulaOf(input);
+  }
+  return filter->GetSurfaceType() == vtkCertificationAlgorithm::GRAPH
+    ? this->Surface.SetGraph(this->Formula)
+    : this->Surface.SetImplicit(this->Formula);
 }
 
-std::string vtkRidgesCertifier::SetMesh(vtkPolyData* input, const Choice& choice)
+std::string vtkRidgesCertifier::SetMesh(vtkPolyData* input)
 {
   vtkRidgesMesh mesh;
   const std::string faults = mesh.Build(input);
@@ -76,7 +82,7 @@ std::string vtkRidgesCertifier::SetMesh(vtkPolyData* input, const Choice& choice
   {
     return "parts of the mesh are oriented to different sides of the surface";
   }
-  if (choice.isProof)
+  if (this->Proof)
   {
     this->Bounds = std::make_unique<ridges::IntervalBounds>(
       static_cast<const ridges::FormulaFunction&>(this->Surface.GetFunction()), side < 0);
@@ -97,12 +103,12 @@ std::string vtkRidgesCertifier::SetMesh(vtkPolyData* input, const Choice& choice
   return {};
 }
 
-bool vtkRidgesCertifier::Run(vtkAlgorithm* filter, vtkPolyData* input, const Choice& choice)
+bool vtkRidgesCertifier::Run(vtkCertificationAlgorithm* filter, vtkPolyData* input)
 {
-  std::string faults = this->SetSurface(input, choice);
+  std::string faults = this->SetSurface(filter, input);
   if (faults.empty())
   {
-    faults = this->SetMesh(input, choice);
+    faults = this->SetMesh(input);
   }
   if (!faults.empty())
   {
@@ -119,8 +125,8 @@ bool vtkRidgesCertifier::Run(vtkAlgorithm* filter, vtkPolyData* input, const Cho
     {
       return true;
     }
-    if (this->Mesh->NumberOfPoints() >= choice.mostPoints || this->Certificate.HoldsEverywhere() ||
-      !this->Mesh->Refine(this->Certificate))
+    if (this->Mesh->NumberOfPoints() >= filter->GetMaximumNumberOfPoints() ||
+      this->Certificate.HoldsEverywhere() || !this->Mesh->Refine(this->Certificate))
     {
       this->Done = true;
       return true;

@@ -7,14 +7,11 @@
 #include "vtkRidgesCompatibility.h"
 #include "vtkRidgesFormulaSurface.h"
 
-#include "vtkType.h"
-
 #include <memory>
 #include <string>
 
 VTK_ABI_NAMESPACE_BEGIN
-class vtkAlgorithm;
-class vtkJetFunction;
+class vtkCertificationAlgorithm;
 class vtkPolyData;
 VTK_ABI_NAMESPACE_END
 
@@ -25,18 +22,9 @@ VTK_ABI_NAMESPACE_END
 class vtkRidgesCertifier
 {
 public:
-  /// The surface and what to do, as properties of the filters.
-  struct Choice
-  {
-    bool isGraph = false;
-    std::string formula; ///< Empty: that of the mesh.
-    vtkJetFunction* function = nullptr;
-    bool isProof = false;
-    vtkIdType mostPoints = 0; ///< No refinement beyond.
-  };
-
-  /// False after one error of the filter; IsDone is false then, and if the user aborted.
-  bool Run(vtkAlgorithm* filter, vtkPolyData* input, const Choice& choice);
+  /// As the properties of the filter say. False after one error of it; IsDone is false then, and if
+  /// the user aborted.
+  bool Run(vtkCertificationAlgorithm* filter, vtkPolyData* input);
 
   bool IsDone() const { return this->Done; }
   bool IsProof() const { return this->Proof; }
@@ -45,8 +33,8 @@ public:
   const std::string& GetFormula() const { return this->Formula; }
 
 private:
-  std::string SetSurface(vtkPolyData* input, const Choice& choice);
-  std::string SetMesh(vtkPolyData* input, const Choice& choice);
+  std::string SetSurface(vtkCertificationAlgorithm* filter, vtkPolyData* input);
+  std::string SetMesh(vtkPolyData* input);
 
   vtkRidgesFormulaSurface Surface;
   std::string Formula;
