@@ -6,6 +6,7 @@
 #include "vtkRidgeExtraction.h"
 #include "vtkRidgesArrayNames.h"
 #include "vtkRidgesFieldData.h"
+#include "vtkRidgesMakeArray.h"
 #include "vtkRidgesMesh.h"
 #include "vtkRidgesMongeOutput.h"
 #include "vtkRidgesUmbilicOutput.h"
@@ -36,15 +37,6 @@ namespace
 {
 
 constexpr std::size_t MostOffendersTold = 20;
-
-template <typename Array>
-vtkNew<Array> MakeArray(const char* name, int components = 1)
-{
-  vtkNew<Array> array;
-  array->SetName(name);
-  array->SetNumberOfComponents(components);
-  return array;
-}
 
 vtkSmartPointer<vtkPoints> PointsOf(const ridges::CompliantMesh& mesh)
 {
@@ -201,15 +193,15 @@ public:
   }
 
 private:
-  vtkNew<vtkStringArray> Check = MakeArray<vtkStringArray>(names::Check);
-  vtkNew<vtkStringArray> Section = MakeArray<vtkStringArray>(names::Section);
-  vtkNew<vtkStringArray> Expected = MakeArray<vtkStringArray>(names::Expected);
-  vtkNew<vtkStringArray> Verdict = MakeArray<vtkStringArray>(names::Verdict);
-  vtkNew<vtkIntArray> Passed = MakeArray<vtkIntArray>(names::Passed);
-  vtkNew<vtkIdTypeArray> Number = MakeArray<vtkIdTypeArray>(names::NumberOfOffenders);
-  vtkNew<vtkStringArray> Kind = MakeArray<vtkStringArray>(names::OffenderKind);
-  vtkNew<vtkStringArray> Ids = MakeArray<vtkStringArray>(names::Offenders);
-  vtkNew<vtkDoubleArray> Place = MakeArray<vtkDoubleArray>(names::OffenderPosition, 3);
+  vtkNew<vtkStringArray> Check = vtkRidgesMakeArray<vtkStringArray>(names::Check);
+  vtkNew<vtkStringArray> Section = vtkRidgesMakeArray<vtkStringArray>(names::Section);
+  vtkNew<vtkStringArray> Expected = vtkRidgesMakeArray<vtkStringArray>(names::Expected);
+  vtkNew<vtkStringArray> Verdict = vtkRidgesMakeArray<vtkStringArray>(names::Verdict);
+  vtkNew<vtkIntArray> Passed = vtkRidgesMakeArray<vtkIntArray>(names::Passed);
+  vtkNew<vtkIdTypeArray> Number = vtkRidgesMakeArray<vtkIdTypeArray>(names::NumberOfOffenders);
+  vtkNew<vtkStringArray> Kind = vtkRidgesMakeArray<vtkStringArray>(names::OffenderKind);
+  vtkNew<vtkStringArray> Ids = vtkRidgesMakeArray<vtkStringArray>(names::Offenders);
+  vtkNew<vtkDoubleArray> Place = vtkRidgesMakeArray<vtkDoubleArray>(names::OffenderPosition, 3);
 };
 
 /// The indices of the umbilics of a closed mesh sum to its Euler characteristic.
@@ -252,8 +244,8 @@ std::string vtkRidgesCertificateOutput::StoreMesh(vtkPolyData* mesh, vtkPolyData
   }
   bare->SetPolys(triangles);
   AddMongeArrays(found, bare);
-  auto verdict = MakeArray<vtkIntArray>(names::Certificate);
-  auto failures = MakeArray<vtkIntArray>(names::FailedHypotheses);
+  auto verdict = vtkRidgesMakeArray<vtkIntArray>(names::Certificate);
+  auto failures = vtkRidgesMakeArray<vtkIntArray>(names::FailedHypotheses);
   for (Id t = 0; t < found.Mesh().NumberOfTriangles(); ++t)
   {
     const std::uint16_t failed = certificate.FailedAt(found.Mesh(), t);
@@ -264,7 +256,7 @@ std::string vtkRidgesCertificateOutput::StoreMesh(vtkPolyData* mesh, vtkPolyData
   bare->GetCellData()->AddArray(failures);
   if (!this->Certifier.GetFormula().empty())
   {
-    auto formula = MakeArray<vtkStringArray>(names::Formula);
+    auto formula = vtkRidgesMakeArray<vtkStringArray>(names::Formula);
     formula->InsertNextValue(this->Certifier.GetFormula());
     bare->GetFieldData()->AddArray(formula);
   }
@@ -304,10 +296,10 @@ void vtkRidgesCertificateOutput::StoreEdges(vtkPolyData* output) const
   const ridges::TriangleMesh& mesh = this->Certifier.GetMesh().Mesh();
   const ridges::MeshCertificate& certificate = this->Certifier.GetCertificate();
   vtkNew<vtkCellArray> lines;
-  auto verdict = MakeArray<vtkIntArray>(names::Certificate);
-  auto failures = MakeArray<vtkIntArray>(names::FailedHypotheses);
-  auto blue = MakeArray<vtkIntArray>(names::MaximumCrossings);
-  auto red = MakeArray<vtkIntArray>(names::MinimumCrossings);
+  auto verdict = vtkRidgesMakeArray<vtkIntArray>(names::Certificate);
+  auto failures = vtkRidgesMakeArray<vtkIntArray>(names::FailedHypotheses);
+  auto blue = vtkRidgesMakeArray<vtkIntArray>(names::MaximumCrossings);
+  auto red = vtkRidgesMakeArray<vtkIntArray>(names::MinimumCrossings);
   for (Id e = 0; e < mesh.NumberOfEdges(); ++e)
   {
     const auto& edge = certificate.edges[e];

@@ -5,6 +5,7 @@
 #include "vtkRidgesAllocate.h"
 #include "vtkRidgesArrayNames.h"
 #include "vtkRidgesFieldData.h"
+#include "vtkRidgesMakeArray.h"
 #include "vtkRidgesMesh.h"
 
 #include "vtkCellArray.h"
@@ -22,15 +23,6 @@ namespace names = vtkRidgesArrayNames;
 
 namespace
 {
-
-template <typename Array>
-vtkNew<Array> MakeArray(const char* name, int components = 1)
-{
-  vtkNew<Array> array;
-  array->SetName(name);
-  array->SetNumberOfComponents(components);
-  return array;
-}
 
 /// The number of the region that a cell is in, -1 outside.
 template <typename Regions>
@@ -55,11 +47,11 @@ void vtkRidgesUmbilicOutput::MarkOnMesh(const vtkRidgesMesh& mesh, vtkPolyData* 
   mesh.HandOnWith(output);
 
   ridges::TriangleGroups patches;
-  auto position = MakeArray<vtkDoubleArray>(names::UmbilicPosition, 3);
-  auto index = MakeArray<vtkDoubleArray>(names::UmbilicIndex);
-  auto ridgeCount = MakeArray<vtkIntArray>(names::UmbilicRidgeCount);
+  auto position = vtkRidgesMakeArray<vtkDoubleArray>(names::UmbilicPosition, 3);
+  auto index = vtkRidgesMakeArray<vtkDoubleArray>(names::UmbilicIndex);
+  auto ridgeCount = vtkRidgesMakeArray<vtkIntArray>(names::UmbilicRidgeCount);
   double indexSum = 0.0;
-  auto triangle = MakeArray<vtkIdTypeArray>(names::UmbilicTriangle);
+  auto triangle = vtkRidgesMakeArray<vtkIdTypeArray>(names::UmbilicTriangle);
   for (const ridges::Umbilic& umbilic : this->umbilics)
   {
     patches.Add(umbilic.patch);
@@ -69,19 +61,19 @@ void vtkRidgesUmbilicOutput::MarkOnMesh(const vtkRidgesMesh& mesh, vtkPolyData* 
     ridgeCount->InsertNextValue(umbilic.ridgeCount);
     indexSum += mesh.IsOwned(umbilic.triangle) ? umbilic.index : 0.0;
   }
-  auto sum = MakeArray<vtkDoubleArray>(names::UmbilicIndexSum);
+  auto sum = vtkRidgesMakeArray<vtkDoubleArray>(names::UmbilicIndexSum);
   sum->InsertNextValue(indexSum);
-  auto euler = MakeArray<vtkIntArray>(names::EulerCharacteristic);
+  auto euler = vtkRidgesMakeArray<vtkIntArray>(names::EulerCharacteristic);
   euler->InsertNextValue(this->eulerCharacteristic);
 
-  auto numberOfCancelled = MakeArray<vtkIntArray>(names::NumberOfCancelledRegions);
+  auto numberOfCancelled = vtkRidgesMakeArray<vtkIntArray>(names::NumberOfCancelledRegions);
   numberOfCancelled->InsertNextValue(static_cast<int>(this->cancelled.size()));
-  auto numberOfZones = MakeArray<vtkIntArray>(names::NumberOfUmbilicZones);
+  auto numberOfZones = vtkRidgesMakeArray<vtkIntArray>(names::NumberOfUmbilicZones);
   numberOfZones->InsertNextValue(static_cast<int>(this->zones.size()));
 
-  auto patch = MakeArray<vtkIdTypeArray>(names::UmbilicPatch);
-  auto region = MakeArray<vtkIdTypeArray>(names::CancelledUmbilics);
-  auto zone = MakeArray<vtkIdTypeArray>(names::UmbilicZone);
+  auto patch = vtkRidgesMakeArray<vtkIdTypeArray>(names::UmbilicPatch);
+  auto region = vtkRidgesMakeArray<vtkIdTypeArray>(names::CancelledUmbilics);
+  auto zone = vtkRidgesMakeArray<vtkIdTypeArray>(names::UmbilicZone);
   vtkRidgesAllocate({ patch, region, zone }, output->GetNumberOfCells());
   FillWithRegions(patch, mesh, patches);
   FillWithRegions(region, mesh, this->cancelled);
@@ -106,14 +98,14 @@ void vtkRidgesUmbilicOutput::StoreVertices(const vtkRidgesMesh& mesh, vtkPolyDat
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
   vtkNew<vtkCellArray> vertices;
-  auto id = MakeArray<vtkIdTypeArray>(names::UmbilicId);
-  auto index = MakeArray<vtkDoubleArray>(names::Index);
-  auto ridgeCount = MakeArray<vtkIntArray>(names::RidgeCount);
-  auto thirdOrderIndex = MakeArray<vtkIntArray>(names::ThirdOrderIndex);
-  auto triangle = MakeArray<vtkIdTypeArray>(names::Triangle);
-  auto pattern = MakeArray<vtkIntArray>(names::Pattern);
-  auto touchesBorder = MakeArray<vtkIntArray>(names::TouchesBorder);
-  auto nearBorder = MakeArray<vtkIntArray>(names::NearBorder);
+  auto id = vtkRidgesMakeArray<vtkIdTypeArray>(names::UmbilicId);
+  auto index = vtkRidgesMakeArray<vtkDoubleArray>(names::Index);
+  auto ridgeCount = vtkRidgesMakeArray<vtkIntArray>(names::RidgeCount);
+  auto thirdOrderIndex = vtkRidgesMakeArray<vtkIntArray>(names::ThirdOrderIndex);
+  auto triangle = vtkRidgesMakeArray<vtkIdTypeArray>(names::Triangle);
+  auto pattern = vtkRidgesMakeArray<vtkIntArray>(names::Pattern);
+  auto touchesBorder = vtkRidgesMakeArray<vtkIntArray>(names::TouchesBorder);
+  auto nearBorder = vtkRidgesMakeArray<vtkIntArray>(names::NearBorder);
   for (std::size_t i = 0; i < this->umbilics.size(); ++i)
   {
     const ridges::Umbilic& umbilic = this->umbilics[i];

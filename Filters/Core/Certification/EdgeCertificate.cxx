@@ -37,11 +37,6 @@ struct EdgePart
   std::array<ColorState, 2> color;
 };
 
-int SignOf(const Interval& value)
-{
-  return IsPositive(value) ? 1 : IsNegative(value) ? -1 : 0;
-}
-
 class EdgeSearch
 {
 public:

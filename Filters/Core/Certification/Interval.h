@@ -119,9 +119,15 @@ inline bool IsNegative(const Interval& a)
 {
   return a.upper() < 0.0;
 }
+/// 0 if it may vanish.
+inline int SignOf(const Interval& a)
+{
+  return IsPositive(a) ? 1 : IsNegative(a) ? -1 : 0;
+}
+
 inline bool HasSign(const Interval& a)
 {
-  return IsPositive(a) || IsNegative(a);
+  return SignOf(a) != 0;
 }
 /// Largest absolute value.
 inline double Magnitude(const Interval& a)

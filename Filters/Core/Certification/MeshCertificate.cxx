@@ -3,6 +3,7 @@
 #include "Certification/MeshCertificate.h"
 
 #include "Certification/PatchSearch.h"
+#include "Mesh/PositionOrder.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,21 +13,13 @@ namespace ridges
 namespace
 {
 
-/// Runs through the points of an edge or a triangle from that which comes first by position, so
-/// that the numbering of points changes nothing.
-bool ComesBefore(const TriangleMesh& mesh, Id p, Id q)
-{
-  const Eigen::Vector3d a = mesh.Point(p);
-  const Eigen::Vector3d b = mesh.Point(q);
-  return std::lexicographical_compare(a.data(), a.data() + 3, b.data(), b.data() + 3);
-}
-
+/// From the corner that comes first by position, so that the numbering of points changes nothing.
 Triangle FromFirst(const TriangleMesh& mesh, const Triangle& corners)
 {
   Triangle result = corners;
   for (int turn = 1; turn < 3; ++turn)
   {
-    if (ComesBefore(mesh, corners[turn], result[0]))
+    if (ComesBefore(mesh.Point(corners[turn]), mesh.Point(result[0])))
     {
       result = { corners[turn], corners[(turn + 1) % 3], corners[(turn + 2) % 3] };
     }
@@ -36,7 +29,7 @@ Triangle FromFirst(const TriangleMesh& mesh, const Triangle& corners)
 
 EdgeCertificate CertifyByPosition(const CertifiedInput& input, const Edge& edge, bool isDegenerate)
 {
-  const bool isReversed = ComesBefore(input.mesh, edge.v1, edge.v0);
+  const bool isReversed = ComesBefore(input.mesh.Point(edge.v1), input.mesh.Point(edge.v0));
   const Id first = isReversed ? edge.v1 : edge.v0;
   const Id second = isReversed ? edge.v0 : edge.v1;
   const MappedTriangle whole = MappedTriangleOf(input, { first, second, second });
@@ -152,11 +145,7 @@ public:
       }
     }
     std::sort(added.begin(), added.end(),
-      [](const auto& a, const auto& b)
-      {
-        return std::lexicographical_compare(
-          a.first.data(), a.first.data() + 3, b.first.data(), b.first.data() + 3);
-      });
+      [](const auto& a, const auto& b) { return ComesBefore(a.first, b.first); });
     std::vector<UmbilicCertificate> certificates(added.size());
     this->Loop_(static_cast<Id>(added.size()),
       [this, &added, &certificates](Id begin, Id end)

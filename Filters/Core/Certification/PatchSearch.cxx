@@ -109,12 +109,7 @@ std::vector<Id> PatchSearch::RingsAround(Id triangle, int rings) const
 bool PatchSearch::IsInDisk(const UmbilicCertificate& umbilic, Id triangle) const
 {
   const MappedTriangle whole = MappedTriangleOf(this->Input_, this->Input_.mesh.Corners(triangle));
-  std::vector<std::pair<Part, int>> tasks{
-    { { { Eigen::Vector3d(1.0, 0.0, 0.0), Eigen::Vector3d(0.0, 1.0, 0.0),
-          Eigen::Vector3d(0.0, 0.0, 1.0) },
-        3 },
-      0 }
-  };
+  std::vector<std::pair<Part, int>> tasks{ { Part::WholeTriangle(), 0 } };
   while (!tasks.empty())
   {
     const auto [part, depth] = tasks.back();
@@ -140,14 +135,10 @@ bool PatchSearch::IsInDisk(const UmbilicCertificate& umbilic, Id triangle) const
     {
       return false;
     }
-    const auto& c = part.corner;
-    const Eigen::Vector3d m01 = 0.5 * (c[0] + c[1]);
-    const Eigen::Vector3d m12 = 0.5 * (c[1] + c[2]);
-    const Eigen::Vector3d m20 = 0.5 * (c[2] + c[0]);
-    tasks.push_back({ { { c[0], m01, m20 }, 3 }, depth + 1 });
-    tasks.push_back({ { { m01, c[1], m12 }, 3 }, depth + 1 });
-    tasks.push_back({ { { m20, m12, c[2] }, 3 }, depth + 1 });
-    tasks.push_back({ { { m01, m12, m20 }, 3 }, depth + 1 });
+    for (const auto& quarter : Quarters(part.corner))
+    {
+      tasks.push_back({ { quarter, 3 }, depth + 1 });
+    }
   }
   return true;
 }

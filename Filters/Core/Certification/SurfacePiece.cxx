@@ -248,6 +248,13 @@ Eigen::Vector3d Part::Center() const
   return sum / this->count;
 }
 
+Part Part::WholeTriangle()
+{
+  return { { Eigen::Vector3d(1.0, 0.0, 0.0), Eigen::Vector3d(0.0, 1.0, 0.0),
+             Eigen::Vector3d(0.0, 0.0, 1.0) },
+    3 };
+}
+
 double HeightAlong(const SurfaceBounds& surface, const Eigen::Vector3d& x,
   const Eigen::Vector3d& direction, double guess)
 {

@@ -36,7 +36,19 @@ struct Part
   int count; ///< 1: a vertex, 2: a part of an edge, 3: of a triangle.
 
   Eigen::Vector3d Center() const;
+  static Part WholeTriangle();
 };
+
+/// A triangle cut into four by the middles of its sides; the one between them comes last.
+template <typename Vector>
+std::array<std::array<Vector, 3>, 4> Quarters(const std::array<Vector, 3>& corners)
+{
+  const Vector m01 = 0.5 * (corners[0] + corners[1]);
+  const Vector m12 = 0.5 * (corners[1] + corners[2]);
+  const Vector m20 = 0.5 * (corners[2] + corners[0]);
+  return { { { corners[0], m01, m20 }, { m01, corners[1], m12 }, { m20, m12, corners[2] },
+    { m01, m12, m20 } } };
+}
 
 /// An extremality over a part: with the frame at the part's center, times positive factors.
 struct ExtremalityBounds

@@ -46,23 +46,6 @@ struct Task
   int depth;
 };
 
-Part WholeTriangle()
-{
-  return { { Eigen::Vector3d(1.0, 0.0, 0.0), Eigen::Vector3d(0.0, 1.0, 0.0),
-             Eigen::Vector3d(0.0, 0.0, 1.0) },
-    3 };
-}
-
-std::array<Part, 4> Quarters(const Part& part)
-{
-  const auto& c = part.corner;
-  const Eigen::Vector3d m01 = 0.5 * (c[0] + c[1]);
-  const Eigen::Vector3d m12 = 0.5 * (c[1] + c[2]);
-  const Eigen::Vector3d m20 = 0.5 * (c[2] + c[0]);
-  return { Part{ { c[0], m01, m20 }, 3 }, Part{ { m01, c[1], m12 }, 3 },
-    Part{ { m20, m12, c[2] }, 3 }, Part{ { m01, m12, m20 }, 3 } };
-}
-
 /// What remains possible in the parts seen so far.
 class TriangleState
 {
@@ -128,7 +111,7 @@ TriangleCertificate Subdivide(
 {
   TriangleCertificate result;
   TriangleState state(looksAtRidges);
-  std::vector<Task> tasks{ { WholeTriangle(), 0.0, 0 } };
+  std::vector<Task> tasks{ { Part::WholeTriangle(), 0.0, 0 } };
   int count = 0;
   while (!tasks.empty())
   {
@@ -147,9 +130,9 @@ TriangleCertificate Subdivide(
       return result;
     }
     const double height = std::isfinite(bounds.height) ? bounds.height : 0.0;
-    for (const Part& quarter : Quarters(task.part))
+    for (const auto& quarter : Quarters(task.part.corner))
     {
-      tasks.push_back({ quarter, height, task.depth + 1 });
+      tasks.push_back({ { quarter, 3 }, height, task.depth + 1 });
     }
   }
   return result;
@@ -164,18 +147,19 @@ bool IsMappedIn(
   {
     return true;
   }
-  const std::array<Part, 4> quarters = Quarters(part);
+  const auto quarters = Quarters(part.corner);
   return depth < ProjectionDepth &&
     std::all_of(quarters.begin(), quarters.end(),
-      [&surface, &whole, depth](const Part& quarter)
-      { return IsMappedIn(surface, whole, quarter, depth + 1); });
+      [&surface, &whole, depth](const auto& quarter) {
+        return IsMappedIn(surface, whole, { quarter, 3 }, depth + 1);
+      });
 }
 
 } // namespace
 
 bool IsMapped(const SurfaceBounds& surface, const MappedTriangle& whole)
 {
-  return IsMappedIn(surface, whole, WholeTriangle(), 0);
+  return IsMappedIn(surface, whole, Part::WholeTriangle(), 0);
 }
 
 TriangleCertificate CertifyTriangle(

@@ -68,13 +68,10 @@ private:
       {
         return false;
       }
-      const Eigen::Vector2d m01 = 0.5 * (flat[0] + flat[1]);
-      const Eigen::Vector2d m12 = 0.5 * (flat[1] + flat[2]);
-      const Eigen::Vector2d m20 = 0.5 * (flat[2] + flat[0]);
-      tasks.push_back({ { flat[0], m01, m20 }, found });
-      tasks.push_back({ { m01, flat[1], m12 }, found });
-      tasks.push_back({ { m20, m12, flat[2] }, found });
-      tasks.push_back({ { m01, m12, m20 }, found });
+      for (const Flat& quarter : Quarters(flat))
+      {
+        tasks.emplace_back(quarter, found);
+      }
     }
     return true;
   }

@@ -47,11 +47,6 @@ struct Sector
   std::array<int, 2> slope{}; ///< By the angle.
 };
 
-int SignOf(const Interval& value)
-{
-  return IsPositive(value) ? 1 : IsNegative(value) ? -1 : 0;
-}
-
 /// The anisotropy divided by the radius.
 std::array<Dual, 2> AnisotropyByRadius(
   const Disk& disk, const std::array<Interval, 2>& e, const std::array<Interval, 2>& turned)

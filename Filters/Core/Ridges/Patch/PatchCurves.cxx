@@ -9,17 +9,6 @@
 
 namespace ridges
 {
-namespace
-{
-
-std::uint64_t Key(int v, int w)
-{
-  return static_cast<std::uint64_t>(std::min(v, w)) << 32U |
-    static_cast<std::uint64_t>(std::max(v, w));
-}
-
-} // namespace
-
 PatchCurves::PatchCurves(const RidgeCrossings& crossings, const PatchContour& contour,
   const RefinedPatch& refined, Id umbilic)
   : Crossings_(crossings)
@@ -80,7 +69,7 @@ bool PatchCurves::March()
       }
       ++crossed;
       const auto inserted =
-        this->NumberOf_.insert({ Key(v, w), static_cast<int>(this->Sides_.size()) });
+        this->NumberOf_.insert({ RefinedPatch::Key(v, w), static_cast<int>(this->Sides_.size()) });
       if (inserted.second)
       {
         this->Sides_.push_back({ { v, w }, { static_cast<int>(t), -1 } });
@@ -105,7 +94,8 @@ bool PatchCurves::LookAtHole(int ridgeCount)
   const std::vector<int>& hole = this->Refined_.Rings().back();
   for (std::size_t i = 0; i < hole.size(); ++i)
   {
-    const auto found = this->NumberOf_.find(Key(hole[i], hole[(i + 1) % hole.size()]));
+    const auto found =
+      this->NumberOf_.find(RefinedPatch::Key(hole[i], hole[(i + 1) % hole.size()]));
     if (found != this->NumberOf_.end())
     {
       this->OnHole_[found->second] = static_cast<int>(i);
@@ -358,7 +348,7 @@ std::vector<std::uint8_t> PatchCurves::Flood(int corner) const
     const int v = reached[i];
     for (const int w : next[v])
     {
-      if (!isReached[w] && this->NumberOf_.count(Key(v, w)) == 0 &&
+      if (!isReached[w] && this->NumberOf_.count(RefinedPatch::Key(v, w)) == 0 &&
         (this->Refined_.Position(w) - center).norm() < 2.0 * this->Reach_)
       {
         isReached[w] = 1;

@@ -34,9 +34,8 @@ struct PatchCurve
  * are at the umbilic, and no two curves cross.
  *
  * Next to an umbilic two ridges may be so near to each other that an error of the interpolation
- * joins them: to a ridge from the umbilic to itself, as short as that, and one
- * that passes by. Where they are nearer to each
- * other than half an edge, the latter is led to the umbilic instead.
+ * joins them, and leaves a short ridge from the umbilic to itself and one that passes by. Where
+ * these are nearer to each other than half an edge, both are led to the umbilic instead.
  */
 class PatchCurves
 {

@@ -166,18 +166,21 @@ void RefinedPatch::NoteParts(Id edge)
   }
 }
 
+/// From p.
+RefinedPatch::DirectedEdge RefinedPatch::EdgeBetween(Id triangle, Id p, Id q) const
+{
+  const Triangle& corners = this->Mesh_.Corners(triangle);
+  const int i = CornerOf(corners, p);
+  const int side = corners[(i + 1) % 3] == q ? i : (i + 2) % 3;
+  const Id edge = this->Mesh_.EdgeOf(triangle, side);
+  return { edge, EndsInOrder(this->Mesh_, this->Field_, edge).p == p };
+}
+
 std::vector<int> RefinedPatch::EvenFrom(Id triangle, Id p, Id q)
 {
-  const auto& corners = this->Mesh_.Corners(triangle);
-  int side = 0;
-  while ((corners[side] != p || corners[(side + 1) % 3] != q) &&
-    (corners[side] != q || corners[(side + 1) % 3] != p))
-  {
-    ++side;
-  }
-  const Id edge = this->Mesh_.EdgeOf(triangle, side);
-  std::vector<int> even = this->OnEdge(edge).even;
-  if (EndsInOrder(this->Mesh_, this->Field_, edge).p != p)
+  const DirectedEdge side = this->EdgeBetween(triangle, p, q);
+  std::vector<int> even = this->OnEdge(side.edge).even;
+  if (!side.forward)
   {
     std::reverse(even.begin(), even.end());
   }
@@ -220,15 +223,9 @@ void RefinedPatch::CutAroundUmbilic(const PatchTriangleForms& forms)
   this->Rings_.resize(1);
   for (int i = 0; i < 3; ++i)
   {
-    const Id p = forms.corners[i];
-    int side = 0;
-    while (this->Mesh_.Corners(forms.triangle)[side] != p)
-    {
-      ++side;
-    }
-    const Id edge = this->Mesh_.EdgeOf(forms.triangle, side);
+    const auto [edge, forward] =
+      this->EdgeBetween(forms.triangle, forms.corners[i], forms.corners[(i + 1) % 3]);
     std::vector<std::pair<double, int>> all = this->OnEdge(edge).all;
-    const bool forward = EndsInOrder(this->Mesh_, this->Field_, edge).p == p;
     if (!forward)
     {
       std::reverse(all.begin(), all.end());
@@ -302,14 +299,8 @@ bool RefinedPatch::AddRays(const PatchTriangleForms& forms)
       return false;
     }
     const Eigen::Vector3d hit = umbilic + length * way;
-    const Id p = forms.corners[(side + 1) % 3];
-    int number = 0;
-    while (this->Mesh_.Corners(forms.triangle)[number] != p)
-    {
-      ++number;
-    }
-    const Id edge = this->Mesh_.EdgeOf(forms.triangle, number);
-    const bool forward = EndsInOrder(this->Mesh_, this->Field_, edge).p == p;
+    const auto [edge, forward] = this->EdgeBetween(
+      forms.triangle, forms.corners[(side + 1) % 3], forms.corners[(side + 2) % 3]);
     const double t = hit[(side + 2) % 3];
     this->AddToEdge(edge, forward ? t : 1.0 - t);
   }

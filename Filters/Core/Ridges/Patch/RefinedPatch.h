@@ -21,7 +21,7 @@ struct PatchTriangleForms;
  * The triangles of a patch around an umbilic cut into many small ones, with the extremality of the
  * interpolated Monge form at their corners. So near to an umbilic its triangle is cut into rings
  * around it, ever smaller ones towards the umbilic, on rays that keep the ridges apart that start
- * there: a small hole is left, around which the roots of the cubic form are told from each other.
+ * there. What is left is a small hole; each ridge of the umbilic crosses its rim once.
  *
  * Along the edges of the mesh, values are those of MongeInterpolation, so that what an edge is
  * crossed by fits to whether the edge of the mesh is.
@@ -54,6 +54,9 @@ public:
   /// the hole; those of the same number are on one ray.
   const std::vector<std::vector<int>>& Rings() const { return this->Rings_; }
 
+  /// Of a side between two corners, in either direction.
+  static std::uint64_t Key(int v, int w);
+
   int NumberOfCorners() const { return static_cast<int>(this->Vertices_.size()); }
   const Eigen::Vector3d& Position(int v) const { return this->Vertices_[v].position; }
   bool IsCrossed(int v, int w) const;
@@ -77,7 +80,14 @@ private:
     std::vector<int> even;                   ///< Those at equal distances.
   };
 
-  static std::uint64_t Key(int v, int w);
+  /// An edge of the mesh, and whether it starts at a point in the order of EndsInOrder.
+  struct DirectedEdge
+  {
+    Id edge;
+    bool forward;
+  };
+
+  DirectedEdge EdgeBetween(Id triangle, Id p, Id q) const;
   int AddOnEdge(Id edge, double parameter);
   int AddInside(const PatchTriangleForms& forms, const Eigen::Vector3d& weights);
   int AtPoint(Id point);
