@@ -8,23 +8,21 @@
 #include "Core/Salience/FieldDerivatives.h"
 #include "Core/Salience/SmoothingPlan.h"
 #include "Core/Salience/TensorSmoothing.h"
-#include "vtkRidgesAllocate.h"
 #include "vtkRidgesArrayNames.h"
 #include "vtkRidgesBatches.h"
+#include "vtkRidgesFormArrays.h"
 #include "vtkRidgesMongeInput.h"
 #include "vtkRidgesRequest.h"
 #include "vtkRidgesUmbilicMarks.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkInformation.h"
-#include "vtkIntArray.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
 
 #include <algorithm>
-#include <string>
 #include <vector>
 
 namespace names = vtkRidgesArrayNames;
@@ -36,7 +34,7 @@ namespace
 {
 
 /// The arrays that come out, as memory to write to.
-class SmoothedArrays
+class SmoothedArrays : public vtkRidgesFormArrays
 {
 public:
   SmoothedArrays(vtkIdType count, bool hasFourthOrder)
@@ -46,20 +44,12 @@ public:
     this->Add(this->K2, names::MinimumCurvature, 1);
     this->Add(this->D1, names::MaximumDirection, 3);
     this->Add(this->D2, names::MinimumDirection, 3);
-    this->Add(this->B, names::ThirdOrder, 4, "b");
-    this->Add(this->C, hasFourthOrder ? names::FourthOrder : nullptr, 5, "c");
+    this->Add(this->B, names::ThirdOrder, 4, true, "b");
+    this->Add(this->C, names::FourthOrder, 5, hasFourthOrder, "c");
     this->Add(this->P1, names::P1, 1);
     this->Add(this->P2, names::P2, 1);
     this->Add(this->Scale, names::FitScale, 1);
-    this->StatusArray->SetName(names::FitStatus);
-    std::vector<vtkDataArray*> all(this->Arrays.begin(), this->Arrays.end());
-    all.push_back(this->StatusArray);
-    vtkRidgesAllocate(all, count);
-    for (std::size_t i = 0; i < this->Arrays.size(); ++i)
-    {
-      *this->Values[i] = this->Arrays[i]->GetPointer(0);
-    }
-    this->Status = this->StatusArray->GetPointer(0);
+    this->Allocate(count);
   }
 
   ridges::MongeField View() const
@@ -118,46 +108,8 @@ public:
     this->Status[p] = status;
   }
 
-  void AddTo(vtkPointData* pointData)
-  {
-    for (const char* name :
-      { names::FourthOrder, names::MaximumCurvatureError, names::MinimumCurvatureError,
-        names::ThirdOrderError, names::P1Error, names::P2Error, names::FitNoiseGain })
-    {
-      pointData->RemoveArray(name);
-    }
-    for (const auto& array : this->Arrays)
-    {
-      pointData->AddArray(array);
-    }
-    pointData->AddArray(this->StatusArray);
-    pointData->SetActiveNormals(names::Normals);
-  }
-
 private:
-  void Add(double*& values, const char* name, int components, const char* prefix = nullptr)
-  {
-    values = nullptr;
-    if (!name)
-    {
-      return;
-    }
-    auto array = vtkSmartPointer<vtkDoubleArray>::New();
-    array->SetName(name);
-    array->SetNumberOfComponents(components);
-    for (int i = 0; prefix && i < components; ++i)
-    {
-      array->SetComponentName(i, (prefix + std::to_string(i)).c_str());
-    }
-    this->Arrays.push_back(array);
-    this->Values.push_back(&values);
-  }
-
   double *Normals, *K1, *K2, *D1, *D2, *B, *C, *P1, *P2, *Scale;
-  int* Status;
-  std::vector<vtkSmartPointer<vtkDoubleArray>> Arrays;
-  std::vector<double**> Values; ///< Which of the pointers above are those of the arrays.
-  vtkNew<vtkIntArray> StatusArray;
 };
 
 /// What is averaged, by the number of its values.

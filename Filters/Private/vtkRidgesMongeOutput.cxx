@@ -2,13 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRidgesMongeOutput.h"
 
-#include "vtkRidgesAllocate.h"
 #include "vtkRidgesArrayNames.h"
 
-#include "vtkPointData.h"
-
 #include <algorithm>
-#include <string>
 
 namespace names = vtkRidgesArrayNames;
 
@@ -139,53 +135,4 @@ void vtkRidgesMongeOutput::StoreErrors(vtkIdType p, const ridges::JetErrors& err
   Put(this->ThirdOrderError, p, errors.b);
   Put(this->P1Error, p, errors.P1);
   Put(this->P2Error, p, errors.P2);
-}
-
-void vtkRidgesMongeOutput::AddTo(vtkPointData* pointData)
-{
-  // What an earlier fit of higher order may have left would not belong to this one.
-  for (const char* name : { names::Normals, names::MaximumCurvature, names::MinimumCurvature,
-         names::MaximumDirection, names::MinimumDirection, names::ThirdOrder, names::FourthOrder,
-         names::P1, names::P2, names::MaximumCurvatureError, names::MinimumCurvatureError,
-         names::ThirdOrderError, names::P1Error, names::P2Error, names::FitNoiseGain })
-  {
-    pointData->RemoveArray(name);
-  }
-  for (const auto& array : this->Arrays)
-  {
-    pointData->AddArray(array);
-  }
-  pointData->AddArray(this->StatusArray);
-  pointData->SetActiveNormals(names::Normals);
-}
-
-void vtkRidgesMongeOutput::Add(
-  double*& values, const char* name, int components, bool wanted, const char* componentPrefix)
-{
-  values = nullptr;
-  if (wanted)
-  {
-    vtkNew<vtkDoubleArray> array;
-    array->SetName(name);
-    array->SetNumberOfComponents(components);
-    for (int i = 0; componentPrefix && i < components; ++i)
-    {
-      array->SetComponentName(i, (componentPrefix + std::to_string(i)).c_str());
-    }
-    this->Arrays.emplace_back(array);
-    this->Values.push_back(&values);
-  }
-}
-
-void vtkRidgesMongeOutput::Allocate(vtkIdType count)
-{
-  this->StatusArray->SetName(names::FitStatus);
-  std::vector<vtkDataArray*> arrays(this->Arrays.begin(), this->Arrays.end());
-  arrays.push_back(this->StatusArray);
-  vtkRidgesAllocate(arrays, count);
-  for (std::size_t i = 0; i < this->Arrays.size(); ++i)
-  {
-    *this->Values[i] = this->Arrays[i]->GetPointer(0);
-  }
-  this->Status = this->StatusArray->GetPointer(0);
 }

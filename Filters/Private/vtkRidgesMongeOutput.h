@@ -7,24 +7,13 @@
 #include "Core/Fit/JetErrors.h"
 #include "Core/Mesh/TriangleMesh.h"
 #include "Core/Monge/MongeForm.h"
-#include "vtkRidgesCompatibility.h"
-
-#include "vtkDoubleArray.h"
-#include "vtkIntArray.h"
-#include "vtkNew.h"
-#include "vtkSmartPointer.h"
-
-#include <vector>
-
-VTK_ABI_NAMESPACE_BEGIN
-class vtkPointData;
-VTK_ABI_NAMESPACE_END
+#include "vtkRidgesFormArrays.h"
 
 /**
  * The arrays that come out of vtkJetFitting, one tuple per point, each point to be stored once;
  * private to the module.
  */
-class vtkRidgesMongeOutput
+class vtkRidgesMongeOutput : public vtkRidgesFormArrays
 {
 public:
   /// What is known of a fit besides the Monge form.
@@ -49,22 +38,10 @@ public:
   /// Only if the arrays for it were asked for.
   void StoreErrors(vtkIdType p, const ridges::JetErrors& errors);
 
-  void AddTo(vtkPointData* pointData);
-
-  vtkIntArray* GetStatus() { return this->StatusArray; }
-
 private:
-  void Add(double*& values, const char* name, int components, bool wanted,
-    const char* componentPrefix = nullptr);
-  void Allocate(vtkIdType count);
-
   double *Normals, *MaximumCurvature, *MinimumCurvature, *MaximumDirection, *MinimumDirection,
     *ThirdOrder, *FourthOrder, *P1, *P2, *ConditionNumber, *Residual, *Scale, *NoiseGain;
   double *MaximumCurvatureError, *MinimumCurvatureError, *ThirdOrderError, *P1Error, *P2Error;
-  int* Status;
-  std::vector<vtkSmartPointer<vtkDoubleArray>> Arrays;
-  std::vector<double**> Values; ///< Which of the pointers above are those of the arrays.
-  vtkNew<vtkIntArray> StatusArray;
 };
 
 #endif

@@ -144,12 +144,12 @@ JetBounds SurfaceBounds::In(const LocalFrame& frame, const IntervalVector& box) 
 
 Taylor3<4> IntervalBounds::At(const Eigen::Vector3d& x) const
 {
-  return this->Sign_ * this->Function_.Evaluate(VariablesAt<4>(x));
+  return this->Sign() * this->Function_.Evaluate(VariablesAt<4>(x));
 }
 
 Taylor3<2> IntervalBounds::CurvatureAt(const Eigen::Vector3d& x) const
 {
-  return this->Sign_ * this->Function_.Evaluate(VariablesAt<2>(x));
+  return this->Sign() * this->Function_.Evaluate(VariablesAt<2>(x));
 }
 
 JetBounds IntervalBounds::Raw(const LocalFrame& frame, const IntervalVector& box) const
@@ -159,7 +159,7 @@ JetBounds IntervalBounds::Raw(const LocalFrame& frame, const IntervalVector& box
   bounds.atOrigin = this->Function_.Evaluate(Variables<4>(frame, { zero, zero, zero }));
   bounds.inBox =
     WithFifthOrder(this->Function_.Evaluate(Variables<5>(frame, box)), bounds.atOrigin, box);
-  if (this->Sign_ < 0.0)
+  if (this->Sign() < 0.0)
   {
     bounds.atOrigin = -bounds.atOrigin;
     bounds.inBox = -bounds.inBox;
@@ -180,7 +180,7 @@ Taylor3<4> SampledBounds::At(const Eigen::Vector3d& x) const
   const JetFunction::Jet4 jets = this->Function_.Full(position, axes);
   Taylor3<4> jet;
   ForMonomials(4, [&jets, &jet](int i, int j, int k) { jet.Set(i, j, k, jets(i, j, k)[0]); });
-  jet *= this->Sign_;
+  jet *= this->Sign();
   return jet;
 }
 
@@ -214,7 +214,7 @@ JetBounds SampledBounds::Raw(const LocalFrame& frame, const IntervalVector& box)
   ForMonomials(4,
     [this, &jets, &bounds](int i, int j, int k)
     {
-      const Lanes values = jets(i, j, k) * Lanes(this->Sign_);
+      const Lanes values = jets(i, j, k) * Lanes(this->Sign());
       // In floating point, what the origin's coefficients are worth.
       const double error = 64.0 * std::numeric_limits<double>::epsilon() * std::abs(values[0]);
       bounds.atOrigin.Set(i, j, k, Around(values[0], error));

@@ -35,7 +35,10 @@ struct JetBounds
 class SurfaceBounds
 {
 public:
-  SurfaceBounds() = default;
+  explicit SurfaceBounds(bool isReversed)
+    : Sign_(isReversed ? -1.0 : 1.0)
+  {
+  }
   virtual ~SurfaceBounds() = default;
   SurfaceBounds(const SurfaceBounds&) = delete;
   SurfaceBounds& operator=(const SurfaceBounds&) = delete;
@@ -51,6 +54,11 @@ public:
 protected:
   /// At the origin, and the terms of degree 4 anywhere in the box.
   virtual JetBounds Raw(const LocalFrame& frame, const IntervalVector& box) const = 0;
+
+  double Sign() const { return this->Sign_; }
+
+private:
+  double Sign_;
 };
 
 /// PROVED: the formula in interval arithmetic.
@@ -58,8 +66,8 @@ class IntervalBounds : public SurfaceBounds
 {
 public:
   explicit IntervalBounds(const FormulaFunction& function, bool isReversed = false)
-    : Function_(function)
-    , Sign_(isReversed ? -1.0 : 1.0)
+    : SurfaceBounds(isReversed)
+    , Function_(function)
   {
   }
   Taylor3<4> At(const Eigen::Vector3d& x) const override;
@@ -70,7 +78,6 @@ protected:
 
 private:
   const FormulaFunction& Function_;
-  double Sign_;
 };
 
 /**
@@ -82,8 +89,8 @@ class SampledBounds : public SurfaceBounds
 {
 public:
   explicit SampledBounds(const JetFunction& function, bool isReversed = false)
-    : Function_(function)
-    , Sign_(isReversed ? -1.0 : 1.0)
+    : SurfaceBounds(isReversed)
+    , Function_(function)
   {
   }
   Taylor3<4> At(const Eigen::Vector3d& x) const override;
@@ -94,7 +101,6 @@ protected:
 
 private:
   const JetFunction& Function_;
-  double Sign_;
 };
 
 } // namespace ridges
