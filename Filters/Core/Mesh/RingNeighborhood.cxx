@@ -70,8 +70,8 @@ bool RingNeighborhood::AddRing(Accept accept)
 {
   constexpr bool all = std::is_same_v<Accept, All>;
   const Id ringEnd = this->Count_;
-  const std::uint32_t stamp = this->Stamp_;
-  std::uint32_t* stamps = this->Stamps_.data();
+  const std::uint16_t stamp = this->Stamp_;
+  std::uint16_t* stamps = this->Stamps_.data();
   Id count = ringEnd;
   bool isInRings = this->IsInRings_;
   for (Id i = this->RingBegin_; i < ringEnd; ++i)
@@ -151,7 +151,7 @@ void RingNeighborhood::Begin(Id vertex)
 {
   if (++this->Stamp_ == 0)
   {
-    std::fill(this->Stamps_.begin(), this->Stamps_.end(), 0);
+    std::fill(this->Stamps_.begin(), this->Stamps_.end(), std::uint16_t{ 0 });
     this->Stamp_ = 1;
   }
   if (this->Points_.empty())
@@ -205,7 +205,7 @@ bool RingNeighborhood::AddTwoRings()
   bool metTwice = false;
   for (Id i = 1; i < count; ++i)
   {
-    std::uint32_t& stamp = this->Stamps_[points[i]];
+    std::uint16_t& stamp = this->Stamps_[points[i]];
     metTwice |= stamp == this->Stamp_;
     stamp = this->Stamp_;
   }

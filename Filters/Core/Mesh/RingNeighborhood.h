@@ -72,8 +72,8 @@ private:
 
   const TriangleMesh& Mesh_;
   const OrderedRings& Rings_;
-  std::vector<std::uint32_t> Stamps_;
-  std::uint32_t Stamp_ = 0;
+  std::vector<std::uint16_t> Stamps_; ///< Of the whole mesh: faster than a table of those around.
+  std::uint16_t Stamp_ = 0;
   std::vector<Id> Points_; ///< Longer than the neighbourhood, which has Count_ points.
   Id Count_ = 0;
   Id RingBegin_ = 0;
