@@ -2,13 +2,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkImageMongeForm.h"
 
+#include "Core/Fit/FieldErrors.h"
 #include "Core/Fit/JetFit.h"
 #include "Core/Formula/ImageFunction.h"
+#include "Core/Formula/ImageNoise.h"
+#include "Core/Formula/SmoothedImage.h"
+#include "vtkRidgesArrayNames.h"
 #include "vtkRidgesExactForms.h"
+#include "vtkRidgesFieldData.h"
+#include "vtkRidgesMakeArray.h"
 #include "vtkRidgesMesh.h"
+#include "vtkRidgesRangeLoop.h"
 #include "vtkRidgesRequest.h"
 
 #include "vtkDataArray.h"
+#include "vtkDoubleArray.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -21,6 +29,8 @@
 #include <algorithm>
 #include <cmath>
 #include <vector>
+
+namespace names = vtkRidgesArrayNames;
 
 vtkStandardNewMacro(vtkImageMongeForm);
 
@@ -139,12 +149,35 @@ int vtkImageMongeForm::RequestData(
   grid.values = values.data();
   constexpr double samples = 1.5;
   const double sigma = this->Sigma > 0.0 ? this->Sigma : samples * grid.spacing.maxCoeff();
-  const ridges::ImageFunction function(grid, sigma, this->IsoValue);
+  const ridges::SmoothedImage smoothed(grid, sigma, vtkRidgesAbortableLoop(this, 0.0, 0.1));
+  if (vtkRidgesCompatibility::IsAborted(this))
+  {
+    return 1;
+  }
+  const ridges::ImageFunction function(smoothed.Grid(), sigma, this->IsoValue);
   const ridges::ImplicitExactSurface surface(function);
   vtkRidgesExactForms forms(surface);
   forms.statusAt = [&function](const Eigen::Vector3d& x)
   { return function.IsAtBorder(x) ? ridges::FitBoundary : 0; };
-  return forms.Run(this, mesh, vtkPolyData::GetData(outputVector));
+  double noise = 0.0;
+  forms.located = [&noise, &grid](ridges::Span<double> places)
+  { noise = ridges::EstimateImageNoise(grid, places); };
+  const double share = ridges::SmoothedNoise(grid, sigma);
+  forms.errorsAt = [&function, &noise, share, sigma](
+                     const Eigen::Vector3d& x, const ridges::MongeForm& form)
+  { return ridges::ErrorsOfDisplacement(form, noise * share / function.SteepnessAt(x), sigma); };
+  vtkPolyData* output = vtkPolyData::GetData(outputVector);
+  if (!forms.Run(this, mesh, output))
+  {
+    return 0;
+  }
+  if (output->GetPoints())
+  {
+    auto array = vtkRidgesMakeArray<vtkDoubleArray>(names::ImageNoise);
+    array->InsertNextValue(noise);
+    vtkRidgesOwnFieldData(output)->AddArray(array);
+  }
+  return 1;
 }
 
 void vtkImageMongeForm::PrintSelf(ostream& os, vtkIndent indent)

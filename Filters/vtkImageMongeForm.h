@@ -18,11 +18,19 @@
  * the image ends within 3 Sigma, and FIT_INVALID, with all values 0, where there is no Monge form,
  * as outside the image.
  *
+ * Also MaximumCurvatureError, MinimumCurvatureError, ThirdOrderError, P1Error and P2Error: the
+ * standard errors that noise of the image causes, to first order, if it is independent from sample
+ * to sample. Its standard deviation is the field array ImageNoise, estimated near the surface from
+ * second differences along all axes at once. So vtkUmbilicDetection and vtkRidgeExtraction know
+ * what noise alone may have made.
+ *
  * Method: sums over the samples within 6.5 Sigma, separable, at the points themselves: nothing is
  * interpolated. The weights along an axis are those of the Gaussian's derivatives, corrected so
  * that polynomials of degree 4 are smoothed exactly, at the border of the image as well, where
- * other kernels see an edge. Points are projected as by vtkImplicitMongeForm. Guarantees: the same
- * bytes for any number of threads, any SMP back end and any numbering.
+ * other kernels see an edge. If Sigma is more than about two samples, all samples are smoothed
+ * first by what leaves 1.5 samples, which changes nothing but the time. Points are projected as by
+ * vtkImplicitMongeForm. Guarantees: the same bytes for any number of threads, any SMP back end and
+ * any numbering.
  *
  * The values are exact, to round-off, for the smoothed image. What smoothing changes they do not
  * show: a sphere of radius r loses about Sigma^2 / r of its radius.

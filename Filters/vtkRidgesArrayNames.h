@@ -51,6 +51,11 @@ constexpr const char* NoiseCorrelation = "NoiseCorrelation";
 constexpr const char* SelectedFit = "SelectedFit";
 ///@}
 
+/// @name Mesh, field data, of vtkImageMongeForm
+///@{
+constexpr const char* ImageNoise = "ImageNoise";
+///@}
+
 /// @name Mesh, field data, of vtkImplicitSurfaceMesh
 ///@{
 constexpr const char* Formula = "Formula";

@@ -119,11 +119,10 @@ std::vector<std::uint8_t> FindReversed(const ridges::TriangleMesh& mesh, const P
   return reversed;
 }
 
-bool StoreForms(vtkAlgorithm* filter, PointStates& states,
-  const std::vector<std::uint8_t>& reversed,
-  const std::function<int(const Eigen::Vector3d&)>& statusAt, vtkRidgesMongeOutput& arrays)
+bool StoreForms(vtkAlgorithm* filter, const vtkRidgesExactForms& known, PointStates& states,
+  const std::vector<std::uint8_t>& reversed, vtkRidgesMongeOutput& arrays)
 {
-  const auto store = [&states, &reversed, &statusAt, &arrays](vtkIdType begin, vtkIdType end)
+  const auto store = [&known, &states, &reversed, &arrays](vtkIdType begin, vtkIdType end)
   {
     ridges::SurfacePoints points = states.Get(begin, end);
     states.surface.Differentiate(points);
@@ -131,15 +130,21 @@ bool StoreForms(vtkAlgorithm* filter, PointStates& states,
     {
       const vtkIdType p = begin + lane;
       const bool isGood = points.fault[lane] == ExactFault::None;
-      const ridges::MongeForm form = isGood ? points.form[lane] : ridges::MongeForm();
+      const ridges::MongeForm seen = isGood ? points.form[lane] : ridges::MongeForm();
+      const ridges::MongeForm form = reversed[p] ? ridges::Flipped(seen) : seen;
       vtkRidgesMongeOutput::Quality quality;
       quality.conditionNumber = isGood ? 1.0 : 0.0;
       quality.status = isGood ? 0 : ridges::FitInvalid;
-      if (statusAt && points.position[lane].allFinite())
+      const Eigen::Vector3d& x = points.position[lane];
+      if (known.statusAt && x.allFinite())
       {
-        quality.status |= statusAt(points.position[lane]);
+        quality.status |= known.statusAt(x);
       }
-      arrays.Store(p, reversed[p] ? ridges::Flipped(form) : form, quality);
+      arrays.Store(p, form, quality);
+      if (known.errorsAt)
+      {
+        arrays.StoreErrors(p, isGood ? known.errorsAt(x, form) : ridges::JetErrors());
+      }
       states.faults[p] = points.fault[lane];
     }
   };
@@ -218,9 +223,13 @@ int vtkRidgesExactForms::Run(vtkAlgorithm* filter, const vtkRidgesMesh& mesh, vt
     return 1; // aborted
   }
   const std::vector<std::uint8_t> reversed = FindReversed(mesh.GetTriangles(), states);
+  if (this->located)
+  {
+    this->located({ states.positions, states.positions + 3 * count });
+  }
   constexpr int order = 4;
-  vtkRidgesMongeOutput arrays(count, order, false);
-  if (!StoreForms(filter, states, reversed, this->statusAt, arrays))
+  vtkRidgesMongeOutput arrays(count, order, static_cast<bool>(this->errorsAt));
+  if (!StoreForms(filter, *this, states, reversed, arrays))
   {
     return 1;
   }

@@ -3,6 +3,8 @@
 #ifndef vtkRidgesExactForms_h
 #define vtkRidgesExactForms_h
 
+#include "Core/Base/Types.h"
+#include "Core/Fit/JetErrors.h"
 #include "Core/Formula/ExactSurface.h"
 #include "vtkRidgesCompatibility.h"
 
@@ -35,6 +37,12 @@ public:
 
   /// Bits of FitStatus at a place, besides that there is no form. May be empty.
   std::function<int(const Eigen::Vector3d&)> statusAt;
+
+  /// Standard errors of the form at a place; not known if it is empty.
+  std::function<ridges::JetErrors(const Eigen::Vector3d&, const ridges::MongeForm&)> errorsAt;
+
+  /// Called with all places when these are on the surface, three coordinates each. May be empty.
+  std::function<void(ridges::Span<double>)> located;
 
   /// Where in a formula a value is not finite at x, y, z or u, v. May be empty.
   std::function<std::string(const double*)> placeOfFault;

@@ -11,7 +11,9 @@
 #include "vtkRidgesArrayNames.h"
 #include "vtkUmbilicDetection.h"
 
+#include "vtkCellData.h"
 #include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkMatrix3x3.h"
@@ -23,8 +25,12 @@
 
 #include <cmath>
 #include <limits>
+#include <map>
+#include <random>
+#include <set>
 #include <sstream>
 #include <string>
+#include <utility>
 
 using namespace ridges::testing;
 namespace names = vtkRidgesArrayNames;
@@ -175,6 +181,64 @@ std::string SmoothedBlend(double sigma)
   return text.str();
 }
 
+struct MeanSquare
+{
+  double sum = 0.0;
+  int count = 0;
+
+  double Root() const { return std::sqrt(this->sum / this->count); }
+};
+
+/// The differences of what was found over its standard errors, where directions are certain.
+void AddErrorRatios(
+  vtkPolyData* found, vtkPolyData* expected, std::map<std::string, MeanSquare>& ratios)
+{
+  const std::pair<const char*, const char*> pairs[] = { { names::MaximumCurvature,
+                                                          names::MaximumCurvatureError },
+    { names::MinimumCurvature, names::MinimumCurvatureError },
+    { names::ThirdOrder, names::ThirdOrderError }, { names::P1, names::P1Error },
+    { names::P2, names::P2Error } };
+  vtkPointData* left = found->GetPointData();
+  vtkPointData* right = expected->GetPointData();
+  for (vtkIdType p = 0; p < found->GetNumberOfPoints(); ++p)
+  {
+    const double gap =
+      Value(right, names::MaximumCurvature, p) - Value(right, names::MinimumCurvature, p);
+    if (gap < 10.0 * Value(left, names::MaximumCurvatureError, p))
+    {
+      continue;
+    }
+    const double* l = left->GetArray(names::MaximumDirection)->GetTuple3(p);
+    const Eigen::Vector3d direction(l[0], l[1], l[2]);
+    const double* r = right->GetArray(names::MaximumDirection)->GetTuple3(p);
+    const double side = direction.dot(Eigen::Vector3d(r[0], r[1], r[2])) > 0.0 ? 1.0 : -1.0;
+    for (const auto& [name, error] : pairs)
+    {
+      const int last = left->GetArray(name)->GetNumberOfComponents() - 1;
+      for (const int i : { 0, last })
+      {
+        const double sign = last > 0 ? side : 1.0;
+        const double ratio = (left->GetArray(name)->GetComponent(p, i) -
+                               sign * right->GetArray(name)->GetComponent(p, i)) /
+          left->GetArray(error)->GetComponent(p, i);
+        MeanSquare& mean = ratios[name + std::to_string(i)];
+        mean.sum += ratio * ratio;
+        ++mean.count;
+      }
+    }
+  }
+}
+
+std::size_t NumberOfRidges(vtkPolyData* lines)
+{
+  std::set<double> ids;
+  for (vtkIdType line = 0; line < lines->GetNumberOfCells(); ++line)
+  {
+    ids.insert(Value(lines->GetCellData(), names::RidgeId, line));
+  }
+  return ids.size();
+}
+
 } // namespace
 
 // A quadratic image is smoothed to itself and a constant: the filter has to agree to round-off, at
@@ -199,6 +263,70 @@ TEST(ImageMongeForm, IsExactForAnEllipsoid)
   EXPECT_LT(LargestDifference(found, expected, names::MaximumCurvature), 1e-10);
   EXPECT_LT(LargestDifference(found, expected, names::MinimumCurvature), 1e-10);
   EXPECT_LT(LargestDifference(found, expected, names::ThirdOrder), 1e-7);
+}
+
+// What noise does, over the standard errors: 1 in the root mean square. An image has about 40
+// places that know nothing of each other, so that of four images is within 12 % (two standard
+// deviations); the errors are of first order, too.
+TEST(ImageMongeForm, StandardErrorsAreThoseOfNoise)
+{
+  const double noise = 0.02;
+  const double sigma = 0.2; // more than three samples
+  const auto mesh = TurnedEllipsoid();
+  const auto expected = FromFormula(mesh, EllipsoidFormula(sigma, 1.0));
+  std::map<std::string, MeanSquare> ratios;
+  for (unsigned seed = 1; seed <= 4; ++seed)
+  {
+    vtkNew<vtkImageData> image;
+    image->SetDimensions(60, 60, 50);
+    image->SetOrigin(-1.65, -1.65, -1.35);
+    image->SetSpacing(0.055, 0.055, 0.055);
+    std::mt19937 generator(seed);
+    std::normal_distribution<double> normal(0.0, noise);
+    Sample(image,
+      [&generator, &normal](double x, double y, double z)
+      { return Ellipsoid(x, y, z) + normal(generator); });
+    const auto found = FromImage(mesh, image, sigma, 1.0);
+    EXPECT_NEAR(
+      found->GetFieldData()->GetArray(names::ImageNoise)->GetComponent(0, 0), noise, 0.05 * noise);
+    AddErrorRatios(found, expected, ratios);
+  }
+  for (const auto& [name, ratio] : ratios)
+  {
+    EXPECT_GT(ratio.count, 2000) << name;
+    EXPECT_NEAR(ratio.Root(), 1.0, 0.2) << name;
+  }
+}
+
+// Noise of 5 % of the contrast, an edge of the mesh about one standard deviation of the Gaussian.
+TEST(ImageMongeForm, RidgesOfANoisyImageAreThoseOfTheSurface)
+{
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(144, 112, 80);
+  image->SetOrigin(-71.5, -55.5, -39.5);
+  std::mt19937 generator(1);
+  std::normal_distribution<double> normal(0.0, 0.05);
+  Sample(image,
+    [&generator, &normal](double x, double y, double z)
+    {
+      const double f = std::sqrt(x * x / 3136.0 + y * y / 1600.0 + z * z / 576.0);
+      return 1.0 / (1.0 + std::exp(32.0 * (f - 1.0))) + normal(generator);
+    });
+  vtkNew<vtkImplicitSurfaceMesh> source;
+  source->SetFormula("x^2/3136 + y^2/1600 + z^2/576 - 1");
+  source->SetBounds(-60, 60, -44, 44, -28, 28);
+  source->SetEdgeLength(3.5);
+  source->Update();
+  vtkNew<vtkUmbilicDetection> umbilics;
+  umbilics->SetInputData(FromImage(source->GetOutput(), image, 4.5, 0.5));
+  vtkNew<vtkRidgeExtraction> ridges;
+  ridges->SetInputConnection(umbilics->GetOutputPort());
+  ridges->Update();
+  EXPECT_EQ(umbilics->GetOutput(1)->GetNumberOfPoints(), 4);
+  EXPECT_EQ(NumberOfRidges(ridges->GetOutput()), 6u);
+  ridges->SetLoopSignificance(0.0); // all that noise makes
+  ridges->Update();
+  EXPECT_GT(NumberOfRidges(ridges->GetOutput()), 8u);
 }
 
 // The fineness of the samples hardly matters: the error is that of the sums' ends.

@@ -18,15 +18,20 @@ struct ImageGrid
   Eigen::Vector3d origin = Eigen::Vector3d::Zero();   ///< Of sample 0, 0, 0.
   Eigen::Matrix3d axes = Eigen::Matrix3d::Identity(); ///< Orthonormal columns.
   Eigen::Vector3d spacing = Eigen::Vector3d::Ones();
+  Eigen::Vector3d smoothing = Eigen::Vector3d::Zero(); ///< Deviation, in samples, of the Gaussian
+                                                       ///< that the values are smoothed by already.
+
+  /// Of a place, in samples, with fractions.
+  Eigen::Vector3d IndexOf(const Eigen::Vector3d& x) const
+  {
+    return (this->axes.transpose() * (x - this->origin)).cwiseQuotient(this->spacing);
+  }
 };
 
 /**
  * An image smoothed by a Gaussian, less a value, with its derivatives: sums over the samples within
- * 6.5 standard deviations, separable. The weights along an axis are the Gaussian times a polynomial
- * of degree 4, such that every polynomial of degree 4 is smoothed exactly as by the continuous
- * Gaussian. Far from the border these are the Gaussian's derivatives; at the border and for narrow
- * Gaussians they are still right to that degree. Axes with fewer than five samples within reach
- * give no number.
+ * 6.5 standard deviations, separable, by AxisWeights. Axes with fewer than five samples within
+ * reach give no number.
  */
 class ImageFunction : public PointwiseFunction
 {
@@ -37,14 +42,16 @@ public:
   /// Whether samples within three standard deviations are beyond the border.
   bool IsAtBorder(const Eigen::Vector3d& x) const;
 
+  /// How steep the smoothed image is, per length.
+  double SteepnessAt(const Eigen::Vector3d& x) const;
+
 protected:
   void Evaluate(const Eigen::Vector3d& x, int order, double* coefficients) const override;
 
 private:
-  Eigen::Vector3d IndexOf(const Eigen::Vector3d& x) const;
-
   ImageGrid Grid_;
-  Eigen::Vector3d Sigma_; ///< In samples.
+  Eigen::Vector3d Sigma_;     ///< In samples.
+  Eigen::Vector3d Remaining_; ///< What the values are not smoothed by yet.
   double Value_;
 };
 

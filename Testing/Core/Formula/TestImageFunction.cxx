@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkRidges contributors
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Formula/ImageFunction.h"
+#include "Formula/ImageNoise.h"
+#include "Formula/SmoothedImage.h"
 #include "Formula/Taylor3Functions.h"
 
 #include <Eigen/Geometry>
@@ -8,6 +10,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
+#include <random>
 #include <vector>
 
 using namespace ridges;
@@ -162,6 +166,71 @@ TEST(ImageFunction, SmoothsAGaussian)
   {
     EXPECT_NEAR(found.Coefficients()[i][0], expected.Coefficients()[i], 1e-5) << i;
   }
+}
+
+// Samples that are smoothed first know the image in between as well as the others.
+TEST(SmoothedImage, ChangesNothingButTheCost)
+{
+  ImageGrid geometry;
+  geometry.size = { 76, 76, 76 };
+  geometry.spacing = { 0.05, 0.06, 0.05 };
+  const Image image(geometry,
+    [](double x, double y, double z)
+    { return std::sin(9.0 * x + 4.0 * y) + std::cos(7.0 * z - y); });
+  const double sigma = 0.2;
+  const SmoothedImage smoothed(
+    image.grid, sigma, [](Id count, const std::function<void(Id, Id)>& body) { body(0, count); });
+  ASSERT_NE(smoothed.Grid().values, image.grid.values);
+  const ImageFunction once(image.grid, sigma, 0.1);
+  const ImageFunction twice(smoothed.Grid(), sigma, 0.1);
+  const std::array<LaneVector3, 3> axes = { Everywhere({ 1, 0, 0 }), Everywhere({ 0, 1, 0 }),
+    Everywhere({ 0, 0, 1 }) };
+  // Away from the border, where weights are corrected once or twice.
+  for (const Eigen::Vector3d& index :
+    { Eigen::Vector3d(37.3, 38.0, 36.6), Eigen::Vector3d(39.5, 36.9, 38.0) })
+  {
+    const auto x = Everywhere(image.PointAt(index));
+    const auto expected = once.Full(x, axes);
+    const auto found = twice.Full(x, axes);
+    for (int d = 0; d <= 4; ++d)
+    {
+      for (int i = Taylor3<4>::Offset(d); i < Taylor3<4>::Offset(d + 1); ++i)
+      {
+        EXPECT_NEAR(
+          found.Coefficients()[i][0], expected.Coefficients()[i][0], 1e-6 / std::pow(sigma, d))
+          << i;
+      }
+    }
+  }
+}
+
+// About 1,500 samples are nearest to the places, of which some hundred are independent.
+TEST(ImageNoise, IsEstimatedBesideASurface)
+{
+  ImageGrid geometry;
+  geometry.size = { 40, 40, 40 };
+  std::mt19937 generator(7);
+  std::normal_distribution<double> normal(0.0, 0.3);
+  const Image image(geometry,
+    [&generator, &normal](double x, double y, double z)
+    { return std::tanh(0.5 * (x - 0.3 * y + 0.2 * z - 16.0)) + normal(generator); });
+  std::vector<double> places;
+  for (int j = 0; j < 200; ++j)
+  {
+    for (int k = 0; k < 200; ++k)
+    {
+      const double y = 0.195 * j;
+      const double z = 0.195 * k;
+      places.insert(places.end(), { 16.0 + 0.3 * y - 0.2 * z, y, z });
+    }
+  }
+  const Span<double> all{ places.data(), places.data() + places.size() };
+  EXPECT_NEAR(EstimateImageNoise(image.grid, all), 0.3, 0.05 * 0.3);
+  const Image linear(geometry, [](double x, double y, double z) { return x * y - 2.0 * z; });
+  EXPECT_NEAR(EstimateImageNoise(linear.grid, all), 0.0, 1e-12);
+  EXPECT_EQ(EstimateImageNoise(linear.grid, {}), 0.0);
+  const double outside[3] = { -100.0, 0.0, 0.0 };
+  EXPECT_EQ(EstimateImageNoise(image.grid, { outside, outside + 3 }), 0.0);
 }
 
 TEST(ImageFunction, KnowsItsBorder)
