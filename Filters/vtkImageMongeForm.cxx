@@ -10,25 +10,20 @@
 #include "vtkRidgesArrayNames.h"
 #include "vtkRidgesExactForms.h"
 #include "vtkRidgesFieldData.h"
+#include "vtkRidgesImage.h"
 #include "vtkRidgesMakeArray.h"
 #include "vtkRidgesMesh.h"
 #include "vtkRidgesRangeLoop.h"
 #include "vtkRidgesRequest.h"
 
-#include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
-#include "vtkMatrix3x3.h"
 #include "vtkObjectFactory.h"
-#include "vtkPointData.h"
 #include "vtkPolyData.h"
-#include "vtkStreamingDemandDrivenPipeline.h"
 
-#include <algorithm>
-#include <cmath>
-#include <vector>
+#include <string>
 
 namespace names = vtkRidgesArrayNames;
 
@@ -39,67 +34,6 @@ vtkImageMongeForm::vtkImageMongeForm()
   this->SetNumberOfInputPorts(2);
 }
 
-namespace
-{
-
-/// Geometry of the samples; their values are set apart.
-ridges::ImageGrid GridOf(vtkImageData* image)
-{
-  ridges::ImageGrid grid;
-  const int* extent = image->GetExtent();
-  double first[3];
-  // Of the first sample of the extent, which need not be 0, 0, 0.
-  image->TransformIndexToPhysicalPoint(extent[0], extent[2], extent[4], first);
-  grid.origin = Eigen::Map<const Eigen::Vector3d>(first);
-  for (int i = 0; i < 3; ++i)
-  {
-    grid.size[i] = extent[2 * i + 1] - extent[2 * i] + 1;
-    grid.spacing[i] = image->GetSpacing()[i];
-    for (int j = 0; j < 3; ++j)
-    {
-      grid.axes(i, j) = image->GetDirectionMatrix()->GetElement(i, j);
-    }
-  }
-  return grid;
-}
-
-/// What is wrong with an image; empty if nothing is.
-std::string FaultOf(vtkImageData* image, const ridges::ImageGrid& grid)
-{
-  vtkDataArray* scalars = image->GetPointData()->GetScalars();
-  if (!scalars || scalars->GetNumberOfTuples() != image->GetNumberOfPoints())
-  {
-    return "the image has no scalars at its points";
-  }
-  if (!(grid.spacing.minCoeff() > 0.0) || !grid.spacing.allFinite())
-  {
-    return "the spacing of the image is not positive";
-  }
-  constexpr double roundOff = 1e-6;
-  if (!((grid.axes.transpose() * grid.axes).isIdentity(roundOff)))
-  {
-    return "the direction matrix of the image is not orthonormal";
-  }
-  constexpr int least = 5;
-  if (*std::min_element(grid.size.begin(), grid.size.end()) < least)
-  {
-    return "the image has fewer than five samples along an axis";
-  }
-  return {};
-}
-
-std::vector<double> ValuesOf(vtkDataArray* scalars)
-{
-  std::vector<double> values(static_cast<std::size_t>(scalars->GetNumberOfTuples()));
-  for (std::size_t i = 0; i < values.size(); ++i)
-  {
-    values[i] = scalars->GetComponent(static_cast<vtkIdType>(i), 0);
-  }
-  return values;
-}
-
-} // namespace
-
 int vtkImageMongeForm::FillInputPortInformation(int port, vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), port == 0 ? "vtkPolyData" : "vtkImageData");
@@ -109,15 +43,7 @@ int vtkImageMongeForm::FillInputPortInformation(int port, vtkInformation* info)
 int vtkImageMongeForm::RequestUpdateExtent(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  // All of the image, whatever a filter behind may need of it.
-  vtkInformation* image = inputVector[1]->GetInformationObject(0);
-  using Pipeline = vtkStreamingDemandDrivenPipeline;
-  if (image && image->Has(Pipeline::WHOLE_EXTENT()))
-  {
-    int extent[6];
-    image->Get(Pipeline::WHOLE_EXTENT(), extent);
-    image->Set(Pipeline::UPDATE_EXTENT(), extent, 6);
-  }
+  vtkRidgesImage::RequestWhole(inputVector[1]->GetInformationObject(0));
   return this->Superclass::RequestUpdateExtent(request, inputVector, outputVector);
 }
 
@@ -125,14 +51,13 @@ int vtkImageMongeForm::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   vtkPolyData* input = vtkRidgesGetPolyData(this, inputVector[0]);
-  vtkImageData* image = vtkImageData::GetData(inputVector[1]);
   if (!input ||
     !vtkRidgesAreNumbers(this, { { "Sigma", this->Sigma }, { "IsoValue", this->IsoValue } }))
   {
     return 0;
   }
-  ridges::ImageGrid grid = image ? GridOf(image) : ridges::ImageGrid();
-  const std::string fault = image ? FaultOf(image, grid) : "there is no image";
+  vtkRidgesImage image;
+  const std::string fault = image.Set(vtkImageData::GetData(inputVector[1]));
   if (!fault.empty())
   {
     vtkErrorMacro("Input 1 cannot be used: " << fault << ".");
@@ -145,10 +70,8 @@ int vtkImageMongeForm::RequestData(
     vtkErrorMacro("The mesh cannot be used: " << faults << ".");
     return 0;
   }
-  const std::vector<double> values = ValuesOf(image->GetPointData()->GetScalars());
-  grid.values = values.data();
-  constexpr double samples = 1.5;
-  const double sigma = this->Sigma > 0.0 ? this->Sigma : samples * grid.spacing.maxCoeff();
+  const ridges::ImageGrid& grid = image.GetGrid();
+  const double sigma = image.SigmaOf(this->Sigma);
   const ridges::SmoothedImage smoothed(grid, sigma, vtkRidgesAbortableLoop(this, 0.0, 0.1));
   if (vtkRidgesCompatibility::IsAborted(this))
   {

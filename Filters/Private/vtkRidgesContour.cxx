@@ -183,8 +183,8 @@ bool vtkRidgesContour::Make(vtkAlgorithm* filter, const ridges::JetFunction& fun
   std::ostringstream text;
   if (!(count <= MostSamples))
   {
-    text << "EdgeLength " << edgeLength << " is too short for the Bounds: the grid would have "
-         << count << " points";
+    text << "EdgeLength " << edgeLength << " is too short for " << this->box
+         << ": the grid would have " << count << " points";
     this->error = text.str();
     return false;
   }
@@ -204,7 +204,8 @@ bool vtkRidgesContour::Make(vtkAlgorithm* filter, const ridges::JetFunction& fun
   const auto [least, greatest] = std::minmax_element(samples.values.begin(), samples.values.end());
   if (*least >= 0.0 || *greatest < 0.0)
   {
-    text << "The surface is empty: within the Bounds f is from " << *least << " to " << *greatest;
+    text << "The surface is empty: within " << this->box << " " << this->what << " from " << *least
+         << " to " << *greatest;
     this->error = text.str();
     return false;
   }

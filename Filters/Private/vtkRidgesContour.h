@@ -17,10 +17,12 @@
 class vtkRidgesContour
 {
 public:
-  /// False if the user aborted, or if something is wrong: then there is an error.
+  /// False if the user aborted, or if something is wrong: then there is an error, or a NaN.
   bool Make(vtkAlgorithm* filter, const ridges::JetFunction& function, const double bounds[6],
     double edgeLength, double progress);
 
+  const char* box = "the Bounds"; ///< In errors: where f is known,
+  const char* what = "f is";      ///< and what it is.
   ridges::EditableMesh mesh;
   std::string error;
   std::array<double, 3> firstNaN{}; ///< Where f is not a number.

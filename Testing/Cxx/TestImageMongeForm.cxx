@@ -4,6 +4,7 @@
 
 #include "FilterTestTools.h"
 #include "MessageRecorder.h"
+#include "vtkImageSurfaceMesh.h"
 #include "vtkImplicitMongeForm.h"
 #include "vtkImplicitSurfaceMesh.h"
 #include "vtkJetFitting.h"
@@ -298,7 +299,7 @@ TEST(ImageMongeForm, StandardErrorsAreThoseOfNoise)
   }
 }
 
-// Noise of 5 % of the contrast, an edge of the mesh about one standard deviation of the Gaussian.
+// Noise of 5 % of the contrast.
 TEST(ImageMongeForm, RidgesOfANoisyImageAreThoseOfTheSurface)
 {
   vtkNew<vtkImageData> image;
@@ -312,10 +313,10 @@ TEST(ImageMongeForm, RidgesOfANoisyImageAreThoseOfTheSurface)
       const double f = std::sqrt(x * x / 3136.0 + y * y / 1600.0 + z * z / 576.0);
       return 1.0 / (1.0 + std::exp(32.0 * (f - 1.0))) + normal(generator);
     });
-  vtkNew<vtkImplicitSurfaceMesh> source;
-  source->SetFormula("x^2/3136 + y^2/1600 + z^2/576 - 1");
-  source->SetBounds(-60, 60, -44, 44, -28, 28);
-  source->SetEdgeLength(3.5);
+  vtkNew<vtkImageSurfaceMesh> source;
+  source->SetInputData(image);
+  source->SetIsoValue(0.5);
+  source->SetSigma(4.5);
   source->Update();
   vtkNew<vtkUmbilicDetection> umbilics;
   umbilics->SetInputData(FromImage(source->GetOutput(), image, 4.5, 0.5));

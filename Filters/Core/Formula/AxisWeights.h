@@ -11,8 +11,8 @@ namespace ridges
 
 /**
  * Weights of the samples along an axis of an image that give its Taylor coefficients of order 0 to
- * 4, smoothed by a Gaussian, at a place between samples: those of the Gaussian times a polynomial of
- * degree 4, such that every polynomial of degree 4 is smoothed exactly, near the ends as well.
+ * 4, smoothed by a Gaussian, at a place between samples: those of the Gaussian times a polynomial
+ * of degree 4, such that every polynomial of degree 4 is smoothed exactly, near the ends as well.
  */
 struct AxisWeights
 {

@@ -30,8 +30,7 @@ double MixedDifference(const ImageGrid& grid, const Eigen::Vector3d& index)
   {
     for (std::size_t j = 0; j < 3; ++j)
     {
-      const double* row =
-        grid.values + ((first[2] + k) * height + first[1] + j) * width + first[0];
+      const double* row = grid.values + ((first[2] + k) * height + first[1] + j) * width + first[0];
       sum += Second[k] * Second[j] * (row[0] - 2.0 * row[1] + row[2]);
     }
   }

@@ -15,22 +15,19 @@ namespace ridges
 namespace
 {
 
-/// What is left, in samples: 2 pi times as much, squared and halved, are 44 powers of e down to
-/// what the samples alias.
-constexpr double Remainder = 1.5;
-
 /// Narrower first steps alias themselves, and save nothing.
 constexpr double LeastStep = 1.2;
 
 } // namespace
 
-SmoothedImage::SmoothedImage(const ImageGrid& grid, double sigma, const RangeLoop& loop)
+SmoothedImage::SmoothedImage(
+  const ImageGrid& grid, double sigma, const RangeLoop& loop, double remainder)
   : Grid_(grid)
 {
   for (int axis = 0; axis < 3; ++axis)
   {
     const double whole = sigma / grid.spacing[axis];
-    const double step = std::sqrt(std::max(0.0, whole * whole - Remainder * Remainder));
+    const double step = std::sqrt(std::max(0.0, whole * whole - remainder * remainder));
     if (step >= LeastStep)
     {
       this->Smooth(axis, step, loop);

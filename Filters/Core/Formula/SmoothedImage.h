@@ -11,15 +11,21 @@ namespace ridges
 {
 
 /**
- * The samples of an image, smoothed by most of a Gaussian. What is left for ImageFunction is narrow,
- * so that it sums over few samples at each place; and wide enough to know the smoothed image between
- * samples to round-off. Where the Gaussian is narrow from the start, the samples stay as they are.
+ * The samples of an image, smoothed by most of a Gaussian. What is left for ImageFunction is
+ * narrow, so that it sums over few samples at each place; and wide enough to know the smoothed
+ * image between samples to round-off. Where the Gaussian is narrow from the start, the samples stay
+ * as they are.
  */
 class SmoothedImage
 {
 public:
+  /// What is left by default, in samples: 2 pi times as much, squared and halved, are 44 powers of
+  /// e down to what the samples alias.
+  static constexpr double Remainder = 1.5;
+
   /// The loop lends threads; sigma is in the unit of the spacing.
-  SmoothedImage(const ImageGrid& grid, double sigma, const RangeLoop& loop);
+  SmoothedImage(
+    const ImageGrid& grid, double sigma, const RangeLoop& loop, double remainder = Remainder);
 
   /// It must not outlive this, nor the samples of the image.
   const ImageGrid& Grid() const { return this->Grid_; }

@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkRidges contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef vtkRidgesEvenMesh_h
+#define vtkRidgesEvenMesh_h
+
+#include "Core/Formula/ExactSurface.h"
+#include "vtkRidgesContour.h"
+
+#include <string>
+
+VTK_ABI_NAMESPACE_BEGIN
+class vtkPolyData;
+VTK_ABI_NAMESPACE_END
+
+/**
+ * An even triangle mesh of a surface f = 0 in a box, oriented to where f > 0. Private to the module.
+ */
+class vtkRidgesEvenMesh
+{
+public:
+  /// False if the user aborted, or if something is wrong: see `contour`. The function need not be
+  /// more exact than its contour.
+  bool Make(vtkAlgorithm* filter, const ridges::JetFunction& function,
+    const ridges::ExactSurface& surface, const double bounds[6], double edgeLength);
+
+  ridges::EditableMesh& GetMesh() { return this->contour.mesh; }
+
+  /// Points and triangles.
+  void Store(vtkPolyData* output) const;
+
+  /// What users should know of the mesh; empty if that is nothing. `box` is what may cut it.
+  std::string BendsText(double edgeLength) const;
+  std::string BorderText(const char* box) const;
+
+  vtkRidgesContour contour;
+
+private:
+  ridges::Id NumberOfSharpPoints = 0; ///< Without a Monge form, or bent within an edge.
+  ridges::Id FirstSharpPoint = 0;
+  ridges::Id NumberOfBorderEdges = 0;
+};
+
+#endif
