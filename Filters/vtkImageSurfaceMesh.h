@@ -6,17 +6,17 @@
  *
  * Input: vtkImageData with scalars, as for vtkImageMongeForm. Output port 0: triangles whose points
  * are on the isosurface of the image smoothed by a Gaussian, to round-off, in double precision. The
- * mesh is closed where the surface is. It ends 1.5 standard deviations (but at most a quarter of its
- * size) before the image does, where too few samples are known; if that cuts the surface, a warning
- * gives the number of border edges. Triangles face outward: the volume that they enclose, seen from the center of the points,
- * is positive. There are no arrays.
+ * mesh is closed where the surface is. It ends 1.5 standard deviations (but at most a quarter of
+ * its size) before the image does, where too few samples are known; if that cuts the surface, a
+ * warning gives the number of border edges. Triangles face outward: the volume that they enclose,
+ * seen from the center of the points, is positive. There are no arrays.
  *
- * A contour of the image has the triangles of its grid, small ones and thin ones, and many more than
- * a smoothed image has detail for. Ridges need triangles that are even, and about as large as the
- * scale of the smoothing: then noise, which is alike within that scale, makes loops around a few
- * points only, which vtkRidgeExtraction tells from ridges. On an ellipsoid in an image with noise of
- * 5 % of the contrast, all six ridges and nothing else are left with the default EdgeLength; with
- * edges a third as long there are thirty more.
+ * A contour of the image has the triangles of its grid, small ones and thin ones, and many more
+ * than a smoothed image has detail for. Ridges need triangles that are even, and about as large as
+ * the scale of the smoothing: then noise, which is alike within that scale, makes loops around a
+ * few points only, which vtkRidgeExtraction tells from ridges. On an ellipsoid in an image with
+ * noise of 5 % of the contrast, all six ridges and nothing else are left with the default
+ * EdgeLength; with edges a third as long there are thirty more.
  *
  * Method: as vtkImplicitSurfaceMesh, in the axes of the image. Guarantees: the same bytes for any
  * number of threads and any SMP back end.

@@ -100,7 +100,8 @@ void vtkRidgesEvenMesh::Store(vtkPolyData* output) const
   vtkNew<vtkPoints> points;
   points->SetData(coordinates);
   vtkNew<vtkCellArray> triangles;
-  triangles->AllocateExact(this->contour.mesh.triangles.size(), 3 * this->contour.mesh.triangles.size());
+  triangles->AllocateExact(
+    this->contour.mesh.triangles.size(), 3 * this->contour.mesh.triangles.size());
   for (const ridges::Triangle& corners : this->contour.mesh.triangles)
   {
     triangles->InsertNextCell({ corners[0], corners[1], corners[2] });
@@ -116,8 +117,8 @@ std::string vtkRidgesEvenMesh::BendsText(double edgeLength) const
   {
     text << "The surface bends within an edge at " << this->NumberOfSharpPoints << " of "
          << this->contour.mesh.points.size() << " points (the first is at "
-         << this->contour.mesh.points[this->FirstSharpPoint].transpose() << "): a shorter EdgeLength than " << edgeLength
-         << " helps, unless it is singular there.";
+         << this->contour.mesh.points[this->FirstSharpPoint].transpose()
+         << "): a shorter EdgeLength than " << edgeLength << " helps, unless it is singular there.";
   }
   return text.str();
 }

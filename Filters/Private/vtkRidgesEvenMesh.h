@@ -13,7 +13,8 @@ class vtkPolyData;
 VTK_ABI_NAMESPACE_END
 
 /**
- * An even triangle mesh of a surface f = 0 in a box, oriented to where f > 0. Private to the module.
+ * An even triangle mesh of a surface f = 0 in a box, oriented to where f > 0. Private to the
+ * module.
  */
 class vtkRidgesEvenMesh
 {

@@ -97,7 +97,8 @@ TEST(ImageSurfaceMesh, IsClosedEvenAndFacesOutward)
     Prepare(source, image, factor);
     source->Update();
     vtkPolyData* mesh = source->GetOutput();
-    EXPECT_EQ(messages.NumberOfErrors() + messages.NumberOfWarnings(), 0u) << messages.WarningText();
+    EXPECT_EQ(messages.NumberOfErrors() + messages.NumberOfWarnings(), 0u)
+      << messages.WarningText();
     ASSERT_GT(mesh->GetNumberOfPoints(), 500);
     // Closed, of genus 0.
     EXPECT_EQ(mesh->GetNumberOfCells(), 2 * (mesh->GetNumberOfPoints() - 2));
@@ -106,8 +107,7 @@ TEST(ImageSurfaceMesh, IsClosedEvenAndFacesOutward)
       EXPECT_NEAR(Ellipsoid(PointAt(mesh, p).data()) + constant, 1.0, 1e-11);
     }
     // A polyhedron inside, whose volume differs by the square of its edges.
-    const double exact =
-      4.0 / 3.0 * std::acos(-1.0) * 1.4 * 0.6 * std::pow(1.0 - constant, 1.5);
+    const double exact = 4.0 / 3.0 * std::acos(-1.0) * 1.4 * 0.6 * std::pow(1.0 - constant, 1.5);
     EXPECT_NEAR(Volume(mesh), exact, 0.02 * exact);
     EXPECT_LT(Volume(mesh), exact);
     double lengths = 0.0;

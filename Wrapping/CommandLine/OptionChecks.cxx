@@ -29,8 +29,8 @@ void CheckEffects(const CLI::App& app, const Options& options, const Filters& fi
       "without --surface ellipsoid" },
     { "--bounds", !options.formula.empty() && options.mesh.empty(),
       "without --formula, or with MESH" },
-    { "--edge-length", !options.formula.empty() && options.mesh.empty(),
-      "without --formula, or with MESH" },
+    { "--edge-length", options.HasForms() && options.mesh.empty(),
+      "without --formula or --image, or with MESH" },
     { "--certify", !options.formula.empty(), "without --formula" },
     { "--minimum-number-of-points", neighborhood == vtkJetFitting::BY_POINT_COUNT,
       "without --neighborhood point-count" },
@@ -83,7 +83,7 @@ std::string OptionOf(const CLI::App& app, Lines lines)
 }
 
 /// Settles which lines are wanted if the options say so. The example surface and those of formulas
-/// are smooth.
+/// and smoothed images are smooth.
 void CheckLines(const CLI::App& app, Options& options)
 {
   const std::string complete = OptionOf(app, Lines::Complete);
@@ -94,7 +94,7 @@ void CheckLines(const CLI::App& app, Options& options)
     {
       throw Contradiction(salient + " is for salient lines, " + complete + " for all ridges");
     }
-    const bool isExample = options.mesh.empty() || !options.formula.empty();
+    const bool isExample = options.mesh.empty() || options.HasForms();
     options.lines = !salient.empty()   ? Lines::Salient
       : !complete.empty() || isExample ? Lines::Complete
                                        : Lines::ByData;
@@ -127,13 +127,34 @@ void CheckFormula(const CLI::App& app, const Options& options)
   }
   for (const CLI::Option* option : app.get_options())
   {
-    if (option->count() > 0 && IsOfGroup(option, { "Jet fitting" }))
-    {
-      throw Contradiction(option->get_name() + " has no effect with --formula");
-    }
     if (options.certify && option->count() > 0 && IsOfGroup(option, { "Umbilics", "Ridges" }))
     {
       throw Contradiction(option->get_name() + " has no effect with --certify");
+    }
+  }
+}
+
+void CheckImage(const CLI::App& app, const Options& options)
+{
+  if (app.count("--image") > 0 && options.image.empty())
+  {
+    throw Contradiction("--image is empty");
+  }
+  if (!options.image.empty() && app.count("--isovalue") == 0)
+  {
+    throw Contradiction("--image needs --isovalue, the value on the surface");
+  }
+}
+
+/// There is no fit where forms are computed.
+void CheckForms(const CLI::App& app, const Options& options)
+{
+  for (const CLI::Option* option : app.get_options())
+  {
+    if (options.HasForms() && option->count() > 0 && IsOfGroup(option, { "Jet fitting" }))
+    {
+      throw Contradiction(option->get_name() + " has no effect with " +
+        (options.formula.empty() ? "--image" : "--formula"));
     }
   }
 }
@@ -198,6 +219,8 @@ void CheckOptions(const CLI::App& app, Options& options, const Filters& filters)
   }
   CheckLines(app, options);
   CheckFormula(app, options);
+  CheckImage(app, options);
+  CheckForms(app, options);
   CheckEffects(app, options, filters);
   CheckFit(filters);
   CheckChecks(app, options, filters);

@@ -66,9 +66,11 @@ void AddInput(CLI::App& app, Options& options, vtkRidgeExampleSource* example)
     ->excludes(mesh);
 }
 
-void AddFormula(CLI::App& app, Options& options, vtkImplicitSurfaceMesh* surfaceMesh,
-  vtkCertifiedRidges* certified)
+void AddFormula(CLI::App& app, Options& options, Filters& filters)
 {
+  vtkImplicitSurfaceMesh* surfaceMesh = filters.surfaceMesh;
+  vtkImageSurfaceMesh* imageMesh = filters.imageMesh;
+  vtkCertifiedRidges* certified = filters.certified;
   OptionGroup group(app, "Formula");
   group
     .Text("--formula", "TEXT", options.formula,
@@ -84,8 +86,13 @@ void AddFormula(CLI::App& app, Options& options, vtkImplicitSurfaceMesh* surface
     "box in which the surface is meshed: least and greatest x, y and z");
   group.Number<double>(
     "--edge-length", "L", surfaceMesh->GetEdgeLength(), { 0.0, AnyLength },
-    [surfaceMesh](double length) { surfaceMesh->SetEdgeLength(length); },
-    "length of the edges of the mesh; 0 is a hundredth of the diagonal of --bounds");
+    [surfaceMesh, imageMesh](double length)
+    {
+      surfaceMesh->SetEdgeLength(length);
+      imageMesh->SetEdgeLength(length);
+    },
+    "length of the edges of the mesh; 0 is a hundredth of the diagonal of --bounds, or three "
+    "quarters of --sigma");
   CLI::Option* certify = group.Flag(
     "--certify", [&options](bool on) { options.certify = on; },
     "refine the mesh until interval arithmetic proves that all ridges and umbilics are found, and "
@@ -96,6 +103,41 @@ void AddFormula(CLI::App& app, Options& options, vtkImplicitSurfaceMesh* surface
       { 0, VTK_INT_MAX }, [certified](int count) { certified->SetMaximumNumberOfPoints(count); },
       "points from which on --certify does not refine the mesh any more")
     ->needs(certify);
+}
+
+void AddImage(CLI::App& app, Options& options, Filters& filters)
+{
+  vtkImageSurfaceMesh* mesh = filters.imageMesh;
+  vtkImageMongeForm* forms = filters.imageForms;
+  OptionGroup group(app, "Image");
+  CLI::Option* image = group.Text("--image", "FILE", options.image,
+    "three-dimensional image (.vti, .mha, .nrrd, .nii and others), of an isosurface of which the "
+    "ridges are computed, on a mesh of it or, with MESH, on that mesh moved to it");
+  for (const char* other : { "--surface", "--frequency", "--semi-axes", "--formula" })
+  {
+    image->excludes(other);
+  }
+  group
+    .Number<double>(
+      "--isovalue", "V", mesh->GetIsoValue(), { -AnyLength, AnyLength },
+      [mesh, forms](double value)
+      {
+        mesh->SetIsoValue(value);
+        forms->SetIsoValue(value);
+      },
+      "value of the image on the isosurface")
+    ->needs(image);
+  group
+    .Number<double>(
+      "--sigma", "L", mesh->GetSigma(), { 0.0, AnyLength },
+      [mesh, forms](double sigma)
+      {
+        mesh->SetSigma(sigma);
+        forms->SetSigma(sigma);
+      },
+      "standard deviation of the Gaussian that smooths the image; 0 is 1.5 samples, noise needs "
+      "more")
+    ->needs(image);
 }
 
 void AddLines(CLI::App& app, Options& options)
@@ -190,8 +232,9 @@ void AddGeneral(CLI::App& app, Options& options)
 void CompleteOutput(Options& options)
 {
   namespace fs = std::filesystem;
-  const std::string name =
-    options.mesh.empty() ? std::string("ridges") : fs::path(options.mesh).stem().string();
+  const std::string name = options.mesh.empty() && options.image.empty()
+    ? std::string("ridges")
+    : fs::path(options.mesh.empty() ? options.image : options.mesh).stem().string();
   std::error_code error;
   if (options.output.empty())
   {
@@ -208,14 +251,16 @@ void CompleteOutput(Options& options)
 std::optional<int> ParseCommandLine(int argc, char** argv, Options& options, Filters& filters)
 {
   CLI::App app("Finds the ridges and umbilics of a triangle mesh and draws them.", "vtkridges");
-  app.formatter(std::make_shared<HelpFormatter>(std::vector<std::string>{ "MESH", "--orient",
-    "--surface", "--formula", "--bounds", "--edge-length", "--certify", "--complete", "--salient",
-    "--neighborhood", "--minimum-number-of-points", "--crest-only", "--minimum-sharpness", "--keep",
-    "--fold-angle", "--relative-scale", "--output", "--write-mesh", "--check", "--strict",
-    "--no-picture", "--view", "--quiet", "--help", "--help-all", "--version" }));
+  app.formatter(std::make_shared<HelpFormatter>(
+    std::vector<std::string>{ "MESH", "--orient", "--surface", "--formula", "--bounds",
+      "--edge-length", "--certify", "--image", "--isovalue", "--sigma", "--complete", "--salient",
+      "--neighborhood", "--minimum-number-of-points", "--crest-only", "--minimum-sharpness",
+      "--keep", "--fold-angle", "--relative-scale", "--output", "--write-mesh", "--check",
+      "--strict", "--no-picture", "--view", "--quiet", "--help", "--help-all", "--version" }));
   app.set_help_flag(); // Added again at the end, to be listed there.
   AddInput(app, options, filters.example);
-  AddFormula(app, options, filters.surfaceMesh, filters.certified);
+  AddFormula(app, options, filters);
+  AddImage(app, options, filters);
   AddLines(app, options);
   AddJetFitting(app, filters.jetFitting);
   AddUmbilics(app, filters.umbilics);
@@ -240,6 +285,7 @@ std::optional<int> ParseCommandLine(int argc, char** argv, Options& options, Fil
              "  vtkridges scan.ply --complete --minimum-sharpness 300\n"
              "  vtkridges part.stl --crest-only --output pictures/part\n"
              "  vtkridges --surface ellipsoid --view 1,-1,1 --output ellipsoid\n"
+             "  vtkridges --image head.vti --isovalue 500 --sigma 2\n"
              "  vtkridges --formula 'x^4+y^4+z^2-1' --bounds -1.1,1.1,-1.1,1.1,-1.1,1.1\n"
              "  xvfb-run -a vtkridges part.stl         (without an X display)");
   try

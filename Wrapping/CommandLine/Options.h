@@ -8,6 +8,8 @@
 #include "Repair/RepairMesh.h"
 
 #include "vtkCertifiedRidges.h"
+#include "vtkImageMongeForm.h"
+#include "vtkImageSurfaceMesh.h"
 #include "vtkImplicitMongeForm.h"
 #include "vtkImplicitSurfaceMesh.h"
 #include "vtkJetFitting.h"
@@ -32,7 +34,9 @@ struct Filters
   vtkNew<vtkImplicitSurfaceMesh> surfaceMesh;
   vtkNew<vtkJetFitting> jetFitting;
   vtkNew<vtkImplicitMongeForm> exactForms; ///< Instead of the fit, where there is a formula.
-  vtkNew<vtkCertifiedRidges> certified;    ///< Instead of all up to the ridges, if wanted.
+  vtkNew<vtkImageSurfaceMesh> imageMesh;
+  vtkNew<vtkImageMongeForm> imageForms; ///< Instead of the fit, where there is an image.
+  vtkNew<vtkCertifiedRidges> certified; ///< Instead of all up to the ridges, if wanted.
   vtkNew<vtkUmbilicDetection> umbilics;
   vtkNew<vtkRidgeExtraction> ridges;
   vtkNew<vtkRidgeCoherence> coherence;
@@ -43,8 +47,13 @@ struct Filters
 /// What is no property of a filter.
 struct Options
 {
-  std::string mesh;    ///< Empty: the surface of the formula or, without one, the example.
+  std::string mesh;    ///< Empty: the surface of formula or image or, without them, the example.
   std::string formula; ///< Of the surface, if it is not empty.
+  std::string image;   ///< Whose isosurface it is, if it is not empty.
+
+  /// Whether Monge forms are computed instead of fitted.
+  bool HasForms() const { return !this->formula.empty() || !this->image.empty(); }
+
   bool certify = false;
   RepairOptions repair;
   Lines lines = Lines::ByData;

@@ -2,12 +2,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Pipeline.h"
 
+#include "Reading/ImageReader.h"
 #include "Reading/MeshReader.h"
 #include "Repair/CoordinateGrain.h"
 #include "Repair/RepairMesh.h"
 
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
+#include "vtkImageData.h"
 #include "vtkPointData.h"
 #include "vtkRidgesArrayNames.h"
 #include "vtkStringArray.h"
@@ -118,7 +120,17 @@ std::string FitAdvice(vtkPolyData* fitted)
     : "see Jet fitting in vtkridges --help-all";
 }
 
-/// A mesh, of the file, of the formula or of the example.
+/// The image, for the filters that need it.
+void RunImage(const Options& options, Filters& filters, Stages& stages)
+{
+  vtkSmartPointer<vtkImageData> image;
+  stages.RunStrictly("read image", "check " + options.image,
+    [&image, &options] { image = ReadImage(options.image); });
+  filters.imageMesh->SetInputData(image);
+  filters.imageForms->SetInputData(1, image);
+}
+
+/// A mesh, of the file, of the image, of the formula or of the example.
 vtkSmartPointer<vtkPolyData> MakeMesh(
   const Options& options, Filters& filters, Stages& stages, Results& results)
 {
@@ -126,6 +138,13 @@ vtkSmartPointer<vtkPolyData> MakeMesh(
   {
     results.name = options.mesh;
     return ReadAndRepair(options, stages, results);
+  }
+  if (!options.image.empty())
+  {
+    results.name = options.image;
+    stages.Run("mesh of the isosurface", "see --isovalue, --sigma and --edge-length",
+      filters.imageMesh, [&filters] { filters.imageMesh->Update(); });
+    return filters.imageMesh->GetOutput();
   }
   if (options.formula.empty())
   {
@@ -141,9 +160,17 @@ vtkSmartPointer<vtkPolyData> MakeMesh(
   return source->GetOutput();
 }
 
-/// Exact forms at the points of the mesh, which move to the surface.
-void RunExactForms(vtkPolyData* mesh, const Options& options, Filters& filters, Stages& stages)
+/// Forms at the points of the mesh, which move to the surface.
+void RunForms(vtkPolyData* mesh, const Options& options, Filters& filters, Stages& stages)
 {
+  if (!options.image.empty())
+  {
+    vtkImageMongeForm* forms = filters.imageForms;
+    forms->SetInputData(0, mesh);
+    stages.Run(
+      "forms of the image", "see --isovalue and --sigma", forms, [forms] { forms->Update(); });
+    return;
+  }
   vtkImplicitMongeForm* forms = filters.exactForms;
   forms->SetInputData(mesh);
   forms->SetFormula(options.formula.c_str());
@@ -184,8 +211,12 @@ void RunCertified(
 /// The ridges of all points of the mesh, from its forms on.
 void RunComplete(const Options& options, Filters& filters, Stages& stages, Results& results)
 {
-  vtkAlgorithm* forms = options.formula.empty() ? static_cast<vtkAlgorithm*>(filters.jetFitting)
-                                                : static_cast<vtkAlgorithm*>(filters.exactForms);
+  vtkAlgorithm* forms = filters.jetFitting;
+  if (options.HasForms())
+  {
+    forms = options.image.empty() ? static_cast<vtkAlgorithm*>(filters.exactForms)
+                                  : static_cast<vtkAlgorithm*>(filters.imageForms);
+  }
   filters.umbilics->SetInputConnection(forms->GetOutputPort());
   filters.ridges->SetInputConnection(filters.umbilics->GetOutputPort());
   filters.sharpness->SetInputConnection(filters.ridges->GetOutputPort());
@@ -225,6 +256,10 @@ void RunSalient(vtkPolyData* mesh, vtkSalientRidges* salient, Stages& stages, Re
 
 void RunFilters(const Options& options, Filters& filters, Stages& stages, Results& results)
 {
+  if (!options.image.empty())
+  {
+    RunImage(options, filters, stages);
+  }
   const vtkSmartPointer<vtkPolyData> mesh = MakeMesh(options, filters, stages, results);
   if (options.certify)
   {
@@ -232,9 +267,9 @@ void RunFilters(const Options& options, Filters& filters, Stages& stages, Result
     return;
   }
   Lines lines = options.lines;
-  if (!options.formula.empty())
+  if (options.HasForms() && lines != Lines::Salient)
   {
-    RunExactForms(mesh, options, filters, stages);
+    RunForms(mesh, options, filters, stages);
   }
   else if (lines != Lines::Salient)
   {

@@ -123,7 +123,7 @@ vtkSmartPointer<vtkImageData> Draw(
   const Options& options, const Results& results, vtkRidgeExampleSource* example)
 {
   PictureOptions pictureOptions = options.picture;
-  if (options.mesh.empty() && options.formula.empty() && !pictureOptions.view &&
+  if (options.mesh.empty() && !options.HasForms() && !pictureOptions.view &&
     example->GetSurface() == vtkRidgeExampleSource::BLEND)
   {
     // Where both parts of the blend and the valley between them are seen.

@@ -9,10 +9,8 @@
 
 namespace program
 {
-namespace
-{
 
-void CheckIsFile(const std::string& fileName)
+void CheckIsFile(const std::string& fileName, const std::string& wanted)
 {
   std::error_code error;
   const std::filesystem::file_status status = std::filesystem::status(fileName, error);
@@ -22,15 +20,13 @@ void CheckIsFile(const std::string& fileName)
   }
   if (std::filesystem::is_directory(status))
   {
-    throw Failure(fileName + " is a directory", "give a mesh");
+    throw Failure(fileName + " is a directory", wanted);
   }
 }
 
-} // namespace
-
 std::string ReadBytes(const std::string& fileName)
 {
-  CheckIsFile(fileName);
+  CheckIsFile(fileName, "give a mesh");
   std::ifstream file(fileName, std::ios::binary);
   if (!file)
   {
