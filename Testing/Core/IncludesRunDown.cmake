@@ -6,6 +6,7 @@
 set(rooms
   Base
   Mesh
+  Shares
   Monge
   Formula
   Fit

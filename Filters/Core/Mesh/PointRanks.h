@@ -31,6 +31,12 @@ public:
   /// their place. The first call, from whatever thread, computes the ranks of all points.
   std::uint64_t RankOf(const TriangleMesh& mesh, Id point);
 
+  /// What RankOf shall give, by id in ascending order, and 0 for all others. Before its first call.
+  void Set(std::vector<std::pair<Id, std::uint64_t>> ranks)
+  {
+    std::call_once(this->Once_, [this, &ranks] { this->Ranks_ = std::move(ranks); });
+  }
+
 private:
   void Build(const TriangleMesh& mesh);
 

@@ -11,6 +11,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <utility>
 #include <vector>
 
 namespace ridges
@@ -98,6 +99,13 @@ public:
 
   /// Tells points at one place apart, whatever the numbering: see PointRanks.
   std::uint64_t RankAtPlace(Id p) const { return this->Ranks_->RankOf(*this, p); }
+
+  /// The same from whoever knows more of the mesh than is here: by point, in ascending order, those
+  /// that share a place.
+  void SetRanksAtPlace(std::vector<std::pair<Id, std::uint64_t>> ranks)
+  {
+    this->Ranks_->Set(std::move(ranks));
+  }
 
   /// Whether p is an end of an edge that does not have exactly two triangles.
   bool OnBorder(Id p) const { return this->OnBorder_[p] != 0; }

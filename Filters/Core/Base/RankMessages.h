@@ -1,0 +1,157 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkRidges contributors
+// SPDX-License-Identifier: BSD-3-Clause
+// Values instead of bytes, between ranks that run on machines of one kind.
+
+#ifndef ridges_RankMessages_h
+#define ridges_RankMessages_h
+
+#include "Base/Ranks.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <functional>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace ridges
+{
+
+/// Appends the values and how many there are.
+template <typename T>
+void Pack(Bytes& bytes, const std::vector<T>& values)
+{
+  static_assert(std::is_trivially_copyable_v<T>, "sent as it is in memory");
+  const std::uint64_t count = values.size();
+  const std::size_t size = count * sizeof(T);
+  const std::size_t at = bytes.size();
+  bytes.resize(at + sizeof count + size);
+  std::memcpy(bytes.data() + at, &count, sizeof count);
+  if (size > 0)
+  {
+    std::memcpy(bytes.data() + at + sizeof count, values.data(), size);
+  }
+}
+
+/// Takes values in the order in which they were packed. An empty message has none.
+class Unpacker
+{
+public:
+  explicit Unpacker(const Bytes& bytes)
+    : Bytes_(bytes)
+  {
+  }
+
+  template <typename T>
+  std::vector<T> Take()
+  {
+    std::uint64_t count = 0;
+    if (this->At_ < this->Bytes_.size())
+    {
+      std::memcpy(&count, this->Bytes_.data() + this->At_, sizeof count);
+      this->At_ += sizeof count;
+    }
+    std::vector<T> values(count);
+    if (count > 0)
+    {
+      std::memcpy(values.data(), this->Bytes_.data() + this->At_, count * sizeof(T));
+      this->At_ += count * sizeof(T);
+    }
+    return values;
+  }
+
+private:
+  const Bytes& Bytes_;
+  std::size_t At_ = 0;
+};
+
+/// Values for each rank; what each rank has for this one.
+template <typename T>
+std::vector<std::vector<T>> ExchangeValues(Ranks& ranks, const std::vector<std::vector<T>>& values)
+{
+  std::vector<Bytes> messages(values.size());
+  for (std::size_t rank = 0; rank < values.size(); ++rank)
+  {
+    Pack(messages[rank], values[rank]);
+  }
+  std::vector<std::vector<T>> received;
+  for (const Bytes& message : ranks.Exchange(std::move(messages)))
+  {
+    received.push_back(Unpacker(message).Take<T>());
+  }
+  return received;
+}
+
+/// The values of all ranks, by rank.
+template <typename T>
+std::vector<std::vector<T>> GatherAllValues(Ranks& ranks, const std::vector<T>& values)
+{
+  Bytes message;
+  Pack(message, values);
+  std::vector<std::vector<T>> received;
+  for (const Bytes& bytes : ranks.GatherAll(std::move(message)))
+  {
+    received.push_back(Unpacker(bytes).Take<T>());
+  }
+  return received;
+}
+
+/// The same for a value of each rank, in order.
+template <typename T>
+std::vector<T> GatherAllOne(Ranks& ranks, const T& value)
+{
+  std::vector<T> all;
+  for (const std::vector<T>& one : GatherAllValues(ranks, std::vector<T>{ value }))
+  {
+    all.push_back(one.front());
+  }
+  return all;
+}
+
+/// Whether it is true on any rank.
+inline bool IsAnywhere(Ranks& ranks, bool here)
+{
+  const std::vector<char> all = GatherAllOne<char>(ranks, here ? 1 : 0);
+  return std::find(all.begin(), all.end(), 1) != all.end();
+}
+
+/// The sum over all ranks. Of integers, as it has to be the same in any order.
+inline std::int64_t SumOverRanks(Ranks& ranks, std::int64_t value)
+{
+  std::int64_t sum = 0;
+  for (const std::int64_t each : GatherAllOne(ranks, value))
+  {
+    sum += each;
+  }
+  return sum;
+}
+
+/// One text of what each rank has to say; empty if none has anything.
+inline std::string TextOfRanks(Ranks& ranks, const std::string& text)
+{
+  const std::vector<std::vector<char>> texts =
+    GatherAllValues(ranks, std::vector<char>(text.begin(), text.end()));
+  const bool areEqual =
+    std::adjacent_find(texts.begin(), texts.end(), std::not_equal_to<>()) == texts.end();
+  if (areEqual)
+  {
+    return text;
+  }
+  std::string all;
+  for (std::size_t rank = 0; rank < texts.size(); ++rank)
+  {
+    if (!texts[rank].empty())
+    {
+      all += (all.empty() ? "on rank " : "; on rank ") + std::to_string(rank) + ": " +
+        std::string(texts[rank].begin(), texts[rank].end());
+    }
+  }
+  return all;
+}
+
+} // namespace ridges
+
+#endif

@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkRidges contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef ridges_Ranks_h
+#define ridges_Ranks_h
+
+#include <utility>
+#include <vector>
+
+namespace ridges
+{
+
+using Bytes = std::vector<char>;
+
+/**
+ * The processes that work on one mesh together, and how they talk: whoever calls the numerics lends
+ * it to them. All ranks have to call the same functions in the same order, or they wait forever.
+ */
+class Ranks
+{
+public:
+  virtual ~Ranks() = default;
+
+  virtual int Rank() const = 0;
+  virtual int Size() const = 0;
+
+  /// Sends a message to each rank, this one included; what they sent to this one, in their order.
+  virtual std::vector<Bytes> Exchange(std::vector<Bytes> messages) = 0;
+
+  /// Sends the same message to all; what all sent, in their order.
+  virtual std::vector<Bytes> GatherAll(Bytes message) = 0;
+};
+
+/// Alone.
+class OneRank : public Ranks
+{
+public:
+  int Rank() const override { return 0; }
+  int Size() const override { return 1; }
+  std::vector<Bytes> Exchange(std::vector<Bytes> messages) override { return messages; }
+  std::vector<Bytes> GatherAll(Bytes message) override { return { std::move(message) }; }
+};
+
+} // namespace ridges
+
+#endif

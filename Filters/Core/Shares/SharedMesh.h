@@ -1,0 +1,158 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkRidges contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef ridges_SharedMesh_h
+#define ridges_SharedMesh_h
+
+#include "Mesh/TriangleMesh.h"
+#include "Shares/SharedPoints.h"
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+namespace ridges
+{
+
+/// Points and triangles that one rank tells another. Points have the numbers that they have in the
+/// whole mesh; so have triangles.
+struct MeshPatch
+{
+  struct Corner
+  {
+    std::int64_t number;
+    std::array<double, 3> x;
+  };
+  struct Cell
+  {
+    std::int64_t number;
+    Triangle corners; ///< Among the points of the patch.
+  };
+  std::vector<Corner> points;
+  std::vector<Cell> triangles;
+  std::vector<Id> counts; ///< Of the points that were asked for: how many triangles they have,
+  std::vector<Id> around; ///< and which.
+};
+
+/**
+ * A mesh that comes in pieces, any pieces, and of which each rank then owns some points, with all
+ * triangles around them. Whoever needs the surroundings of points gets them as a MeshShare: the
+ * ranks that own what is missing are asked, ring after ring.
+ */
+class SharedMesh
+{
+public:
+  /// All ranks have to call this. What is wrong with the pieces, the same text on all of them.
+  std::string Share(Ranks& ranks, const MeshPiece& piece);
+
+  const SharedPoints& Points() const { return this->Points_; }
+  Id NumberOfOwned() const { return this->Points_.NumberOfOwned(); }
+
+  /// Of all ranks.
+  std::int64_t NumberOfTriangles() const { return this->NumberOfTriangles_; }
+
+private:
+  friend class MeshShare;
+
+  void SendTriangles(Ranks& ranks, const MeshPiece& piece);
+  void RankCoincident(Ranks& ranks);
+  MeshPatch PatchAround(const std::vector<Id>& owned) const;
+  std::vector<Id> Take(const MeshPatch& patch);
+  Id LocalOf(std::int64_t number) const;
+  Id AddPoint(const MeshPatch::Corner& corner);
+  std::int64_t NumberOf(Id local) const;
+  void Ask(Ranks& ranks, const std::vector<Id>& points);
+  bool IsComplete(Id local) const
+  {
+    return local < this->NumberOfOwned() || this->RowOf_[local - this->NumberOfOwned()].first >= 0;
+  }
+  Span<Id> TrianglesAround(Id local) const;
+
+  SharedPoints Points_;
+  int Rank_ = 0;
+  std::int64_t NumberOfTriangles_ = 0;
+
+  // Owned points come first. Others, and their triangles, stay once they are known.
+  std::vector<double> Positions_;
+  std::vector<std::int64_t> NumbersOfOthers_;
+  std::unordered_map<std::int64_t, Id> Others_; ///< By number.
+  std::vector<Triangle> Triangles_;
+  std::vector<std::int64_t> TriangleNumbers_;
+  std::unordered_map<std::int64_t, Id> TriangleOf_; ///< Those at points of others.
+  TriangleMesh Around_;                             ///< Those around owned points.
+  std::vector<std::pair<std::int64_t, Id>> RowOf_;  ///< Of others: where in Rows_; -1: unknown.
+  std::vector<Id> Rows_;
+  std::vector<std::pair<std::int64_t, std::uint64_t>> RanksAtPlace_; ///< By number: see PointRanks.
+};
+
+/**
+ * Some points, first, and the triangles around all points that are within so many rings of them:
+ * of the rings up to that one nothing is missing.
+ */
+class MeshShare
+{
+public:
+  /// All ranks have to call this, each with owned points of its own, or none.
+  MeshShare(Ranks& ranks, SharedMesh& shared, std::vector<Id> points, int rings,
+    const RangeLoop& loop = TriangleMesh::InOneRange, Id shares = 1);
+
+  const TriangleMesh& Mesh() const { return this->Mesh_; }
+
+  /// So many points come first.
+  Id NumberOfInner() const { return this->NumberOfInner_; }
+
+  /// Rows of `width` values for the owned points of each rank become rows for the points of the
+  /// share. All ranks have to call this.
+  template <typename T>
+  std::vector<T> Rows(Ranks& ranks, const T* owned, int width) const;
+
+private:
+  std::vector<Id> Spread(Ranks& ranks, SharedMesh& shared, int rings);
+
+  std::vector<Id> Points_; ///< Local numbers of the shared mesh.
+  std::vector<std::int64_t> Numbers_;
+  std::vector<double> Positions_;
+  TriangleMesh Mesh_;
+  Id NumberOfInner_ = 0;
+  const SharedPoints& Owners_;
+};
+
+template <typename T>
+std::vector<T> MeshShare::Rows(Ranks& ranks, const T* owned, int width) const
+{
+  std::vector<std::vector<std::int64_t>> wanted(ranks.Size());
+  std::vector<std::vector<Id>> places(ranks.Size());
+  for (std::size_t p = 0; p < this->Numbers_.size(); ++p)
+  {
+    const int owner = this->Owners_.OwnerOf(this->Numbers_[p]);
+    wanted[owner].push_back(this->Numbers_[p]);
+    places[owner].push_back(static_cast<Id>(p));
+  }
+  std::vector<std::vector<T>> replies(ranks.Size());
+  const auto asked = ExchangeValues(ranks, wanted);
+  for (std::size_t rank = 0; rank < asked.size(); ++rank)
+  {
+    for (const std::int64_t number : asked[rank])
+    {
+      const T* row = owned + (number - this->Owners_.First(ranks.Rank())) * width;
+      replies[rank].insert(replies[rank].end(), row, row + width);
+    }
+  }
+  const auto received = ExchangeValues(ranks, replies);
+  std::vector<T> rows(this->Numbers_.size() * width);
+  for (std::size_t rank = 0; rank < received.size(); ++rank)
+  {
+    for (std::size_t i = 0; i < places[rank].size(); ++i)
+    {
+      std::copy_n(received[rank].data() + i * width, width,
+        rows.data() + static_cast<std::size_t>(width) * places[rank][i]);
+    }
+  }
+  return rows;
+}
+
+} // namespace ridges
+
+#endif

@@ -1,0 +1,107 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkRidges contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef ridges_SharedPoints_h
+#define ridges_SharedPoints_h
+
+#include "Base/RankMessages.h"
+#include "Mesh/Triangle.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace ridges
+{
+
+/// What a rank has of a mesh to begin with, owned by somebody else.
+struct MeshPiece
+{
+  const double* points = nullptr; ///< x, y, z
+  Id numberOfPoints = 0;
+  Span<Triangle> triangles;
+  const std::int64_t* globalIds = nullptr; ///< Of points; may be null.
+};
+
+/**
+ * The points of a mesh that comes in pieces, each owned by one rank, and numbered through: first
+ * those of rank 0. What belongs to whom is decided by position, so that ranks own about as many
+ * points each, and such as lie together, whatever the pieces are.
+ *
+ * Points at one place, in different pieces, are one point. Where a piece has several at one place,
+ * and another piece has one there, too, global ids decide which are the same.
+ */
+class SharedPoints
+{
+public:
+  /// All ranks have to call this. What is wrong with the piece, if anything is.
+  std::string Share(Ranks& ranks, const MeshPiece& piece);
+
+  Id NumberOfOwned() const { return static_cast<Id>(this->Owned_.size() / 3); }
+
+  /// x, y, z of the owned points.
+  const std::vector<double>& Owned() const { return this->Owned_; }
+
+  /// Those that share a place with another, in ascending order.
+  const std::vector<Id>& Coincident() const { return this->Coincident_; }
+
+  /// The number of the first point that a rank owns; of the rank after the last: how many there
+  /// are.
+  std::int64_t First(int rank) const { return this->First_[rank]; }
+  std::int64_t NumberOfAll() const { return this->First_.back(); }
+  int OwnerOf(std::int64_t number) const;
+
+  /// The numbers of the points of this rank's piece.
+  const std::vector<std::int64_t>& NumbersOfPiece() const { return this->NumbersOfPiece_; }
+
+  /// Rows of `width` values for the owned points become rows for the points of the piece. All
+  /// ranks have to call this.
+  template <typename T>
+  std::vector<T> ToPiece(Ranks& ranks, const T* owned, int width) const;
+
+private:
+  struct Arrivals;
+
+  void Number(Ranks& ranks, const Arrivals& arrivals, std::vector<std::vector<Id>>& pointOf);
+
+  std::vector<double> Owned_;
+  std::vector<Id> Coincident_;
+  std::vector<std::int64_t> First_;
+  std::vector<std::int64_t> NumbersOfPiece_;
+  std::vector<std::vector<Id>> SentTo_;       ///< Points of the piece, by owner.
+  std::vector<std::vector<Id>> ReceivedFrom_; ///< Which owned points those of other pieces are.
+};
+
+template <typename T>
+std::vector<T> SharedPoints::ToPiece(Ranks& ranks, const T* owned, int width) const
+{
+  std::vector<std::vector<T>> replies(this->ReceivedFrom_.size());
+  for (std::size_t rank = 0; rank < replies.size(); ++rank)
+  {
+    replies[rank].reserve(this->ReceivedFrom_[rank].size() * width);
+    for (const Id p : this->ReceivedFrom_[rank])
+    {
+      const T* row = owned + static_cast<std::size_t>(width) * p;
+      replies[rank].insert(replies[rank].end(), row, row + width);
+    }
+  }
+  const std::vector<std::vector<T>> received = ExchangeValues(ranks, replies);
+  std::size_t count = 0;
+  for (const std::vector<Id>& sent : this->SentTo_)
+  {
+    count += sent.size();
+  }
+  std::vector<T> rows(count * width);
+  for (std::size_t rank = 0; rank < received.size(); ++rank)
+  {
+    for (std::size_t i = 0; i < this->SentTo_[rank].size(); ++i)
+    {
+      std::copy_n(received[rank].data() + i * width, width,
+        rows.data() + static_cast<std::size_t>(width) * this->SentTo_[rank][i]);
+    }
+  }
+  return rows;
+}
+
+} // namespace ridges
+
+#endif
