@@ -61,6 +61,11 @@
 #include "vtkPolyDataAlgorithm.h"
 #include "vtkRidgesCompatibility.h" // For the ABI namespace
 
+namespace ridges
+{
+class Ranks;
+}
+
 VTK_ABI_NAMESPACE_BEGIN
 class VTKFILTERSRIDGES_EXPORT vtkJetFitting : public vtkPolyDataAlgorithm
 {
@@ -177,6 +182,11 @@ protected:
   ~vtkJetFitting() override = default;
   int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+  /// The ranks that have the other pieces of the mesh; null: the input is all there is. Private to
+  /// the modules of vtkRidges.
+  virtual ridges::Ranks* GetRanks() { return nullptr; }
+
   int Degree = 0;
   int MongeOrder = 4;
   int Neighborhood = AUTOMATIC;

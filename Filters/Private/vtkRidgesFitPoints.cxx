@@ -63,6 +63,7 @@ void vtkRidgesFitPoints::operator()(vtkIdType begin, vtkIdType end)
 void vtkRidgesFitPoints::Take(ridges::Id p, int ringsAdded, Scratch& scratch)
 {
   const auto points = scratch.fitter.Gather(p, ringsAdded);
+  this->Note(p, scratch);
   const bool wholeRings =
     this->Wanted.rule.kind != ridges::NeighborhoodRule::Kind::Radius && scratch.fitter.IsInRings();
   if (!this->Kernel || !scratch.batches.Add(p, points, wholeRings))
@@ -72,6 +73,15 @@ void vtkRidgesFitPoints::Take(ridges::Id p, int ringsAdded, Scratch& scratch)
   else if (scratch.batches.IsFull())
   {
     this->FitBatches(scratch);
+  }
+}
+
+void vtkRidgesFitPoints::Note(ridges::Id p, Scratch& scratch)
+{
+  const int reach = scratch.fitter.TakeReach();
+  if (this->Reach)
+  {
+    (*this->Reach)[p] = std::max((*this->Reach)[p], reach);
   }
 }
 
@@ -157,6 +167,7 @@ void vtkRidgesFitPoints::FitAlone(
   ridges::Id p, ridges::PointFitter::Growth growth, Scratch& scratch)
 {
   const ridges::JetFit fit = scratch.fitter.Fit(p, growth);
+  this->Note(p, scratch);
   // Less than a quadric says nothing of curvature, unless a plane was all that was asked for.
   vtkRidgesMongeOutput::Quality quality{ fit.conditionNumber, fit.residual, fit.radius,
     fit.noiseGain, fit.status };

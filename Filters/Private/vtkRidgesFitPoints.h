@@ -31,6 +31,10 @@ public:
   vtkRidgesFitPoints(const ridges::TriangleMesh& mesh, const ridges::OrderedRings& rings,
     const Settings& settings, vtkRidgesMongeOutput& output);
 
+  /// Notes how many rings each fit has looked at: for a mesh that ends somewhere, though the
+  /// surface does not. `reach` has 0 for each point at the start.
+  void NoteReach(std::vector<int>& reach) { this->Reach = &reach; }
+
   void operator()(vtkIdType begin, vtkIdType end);
 
 private:
@@ -56,6 +60,7 @@ private:
   };
 
   void Take(ridges::Id p, int ringsAdded, Scratch& scratch);
+  void Note(ridges::Id p, Scratch& scratch);
   void FitBatches(Scratch& scratch);
   void GrowIllConditioned(Scratch& scratch);
   Verdict Judge(const ridges::JetBatch& batch, int lane, Scratch& scratch) const;
@@ -68,6 +73,7 @@ private:
   Settings Wanted;
   vtkRidgesMongeOutput& Output;
   const ridges::JetBatchKernel* Kernel = nullptr;
+  std::vector<int>* Reach = nullptr;
   vtkRidgesPerThread<Scratch> PerThread;
 };
 

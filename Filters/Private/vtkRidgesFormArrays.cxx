@@ -11,6 +11,20 @@
 
 namespace names = vtkRidgesArrayNames;
 
+void vtkRidgesFormArrays::StoreAll(
+  const vtkRidgesFormArrays& others, const std::vector<ridges::Id>& ids)
+{
+  for (std::size_t i = 0; i < ids.size(); ++i)
+  {
+    const auto other = static_cast<vtkIdType>(i);
+    for (std::size_t k = 0; k < this->Arrays.size(); ++k)
+    {
+      this->Arrays[k]->SetTuple(ids[i], other, others.Arrays[k]);
+    }
+    this->Status[ids[i]] = others.Status[other];
+  }
+}
+
 void vtkRidgesFormArrays::AddTo(vtkPointData* pointData)
 {
   for (const char* name : { names::Normals, names::MaximumCurvature, names::MinimumCurvature,

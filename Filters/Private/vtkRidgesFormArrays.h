@@ -3,6 +3,7 @@
 #ifndef vtkRidgesFormArrays_h
 #define vtkRidgesFormArrays_h
 
+#include "Core/Base/Types.h"
 #include "vtkRidgesCompatibility.h"
 
 #include "vtkDoubleArray.h"
@@ -23,6 +24,9 @@ VTK_ABI_NAMESPACE_END
 class vtkRidgesFormArrays
 {
 public:
+  /// The values of other points, of the same order: their first is stored as that of ids[0].
+  void StoreAll(const vtkRidgesFormArrays& others, const std::vector<ridges::Id>& ids);
+
   void AddTo(vtkPointData* pointData);
 
   vtkIntArray* GetStatus() { return this->StatusArray; }

@@ -19,8 +19,10 @@
 
 #include <algorithm>
 #include <memory>
+#include <numeric>
 #include <sstream>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace names = vtkRidgesArrayNames;
@@ -54,20 +56,18 @@ struct LookAtRemains
   const ridges::TriangleMesh& mesh;
   const ridges::OrderedRings& rings;
   const std::vector<ridges::Id>& sample;
-  const ridges::JetChoice& choice;
+  int numberOfRings;
+  int degree;
   std::vector<ridges::JetRemains>& remains;
   vtkRidgesPerThread<ridges::JetProbe> perThread;
 
   void operator()(vtkIdType begin, vtkIdType end)
   {
-    // A polynomial on fewer follows what neighbours have in common.
-    constexpr int fewestRings = 5;
     ridges::JetProbe& probe = this->perThread.Get(
       [this] { return std::make_shared<ridges::JetProbe>(this->mesh, this->rings); });
     for (vtkIdType i = begin; i < end; ++i)
     {
-      this->remains[i] = probe.RemainsOf(
-        this->sample[i], std::max(this->choice.numberOfRings, fewestRings), this->choice.degree);
+      this->remains[i] = probe.RemainsOf(this->sample[i], this->numberOfRings, this->degree);
     }
   }
 };
@@ -109,23 +109,80 @@ std::string TextOf(const ridges::JetChoice& choice)
   return text.str();
 }
 
-} // namespace
+constexpr double WantedPoints = 300.0;
 
-bool vtkRidgesSelectJets(vtkAlgorithm* filter, const ridges::TriangleMesh& mesh,
-  const ridges::OrderedRings& rings, ridges::JetSelection selection, double from, double to,
-  ridges::JetChoice& choice)
+/// Where trials are made: on a mesh that is all here.
+struct WholeMesh
 {
-  constexpr double wantedPoints = 300.0;
-  const std::vector<ridges::Id> sample = ridges::ShapeSample(mesh, wantedPoints);
-  std::vector<ridges::JetTrial> trials(sample.size());
-  while (!sample.empty() && selection.NextRings() > 0)
+  const ridges::TriangleMesh& mesh;
+  const ridges::OrderedRings& rings;
+  std::vector<ridges::Id> sample;
+
+  bool IsEmpty() const { return this->sample.empty(); }
+
+  /// body(mesh, rings, sample, values) sets the values of the points of a sample, as far as they
+  /// are here; false if it was stopped. Then all values that there are, in order.
+  template <typename Value, typename Body>
+  bool ForSample(int, std::vector<Value>& values, const Body& body) const
+  {
+    values.resize(this->sample.size());
+    return body(this->mesh, this->rings, this->sample, values);
+  }
+};
+
+/// On the shares that ranks have of a mesh.
+struct MeshOfRanks
+{
+  ridges::Ranks& ranks;
+  ridges::SharedMesh& shared;
+  std::vector<ridges::DrawnPoint> sample;
+
+  bool IsEmpty() const { return this->sample.empty(); }
+
+  template <typename Value, typename Body>
+  bool ForSample(int numberOfRings, std::vector<Value>& values, const Body& body) const
+  {
+    const ridges::MeshShare share(
+      this->ranks, this->shared, ridges::DrawnOn(this->ranks.Rank(), this->sample), numberOfRings);
+    ridges::OrderedRings rings(share.Mesh());
+    rings.Build(0, share.Mesh().NumberOfPoints());
+    std::vector<ridges::Id> inner(share.NumberOfInner());
+    std::iota(inner.begin(), inner.end(), 0);
+    std::vector<Value> own(inner.size());
+    const bool isDone = body(share.Mesh(), rings, inner, own);
+    if (ridges::IsAnywhere(this->ranks, !isDone))
+    {
+      return false;
+    }
+    const std::vector<std::vector<Value>> all = ridges::GatherAllValues(this->ranks, own);
+    std::vector<std::size_t> taken(all.size(), 0);
+    values.clear();
+    for (const ridges::DrawnPoint& point : this->sample)
+    {
+      values.push_back(all[point.rank][taken[point.rank]++]);
+    }
+    return true;
+  }
+};
+
+template <typename Mesh>
+bool Select(vtkAlgorithm* filter, const Mesh& where, ridges::JetSelection selection, double from,
+  double to, ridges::JetChoice& choice)
+{
+  using Sample = std::vector<ridges::Id>;
+  std::vector<ridges::JetTrial> trials;
+  while (!where.IsEmpty() && selection.NextRings() > 0)
   {
     // How many numbers of rings will be tried is not known.
     const double middle = 0.5 * (from + to);
-    TryPoints tryPoints{ mesh, rings, sample, selection.NextRings(), selection.NextBands(), trials,
-      {} };
-    if (!vtkRidgesForBatches(
-          filter, static_cast<vtkIdType>(sample.size()), from, middle, tryPoints))
+    const auto tryPoints = [&](const ridges::TriangleMesh& mesh, const ridges::OrderedRings& rings,
+                             const Sample& sample, std::vector<ridges::JetTrial>& values)
+    {
+      TryPoints body{ mesh, rings, sample, selection.NextRings(), selection.NextBands(), values,
+        {} };
+      return vtkRidgesForBatches(filter, static_cast<vtkIdType>(sample.size()), from, middle, body);
+    };
+    if (!where.ForSample(selection.NextRings(), trials, tryPoints))
     {
       return false;
     }
@@ -133,14 +190,40 @@ bool vtkRidgesSelectJets(vtkAlgorithm* filter, const ridges::TriangleMesh& mesh,
     selection.Add(trials);
   }
   choice = selection.Choice();
-  std::vector<ridges::JetRemains> remains(sample.size());
-  LookAtRemains look{ mesh, rings, sample, choice, remains, {} };
-  if (!vtkRidgesForBatches(filter, static_cast<vtkIdType>(sample.size()), from, to, look))
+  // A polynomial on fewer follows what neighbours have in common.
+  constexpr int fewestRings = 5;
+  const int rings = std::max(choice.numberOfRings, fewestRings);
+  std::vector<ridges::JetRemains> remains;
+  const auto look = [&](const ridges::TriangleMesh& mesh, const ridges::OrderedRings& ordered,
+                      const Sample& sample, std::vector<ridges::JetRemains>& values)
+  {
+    LookAtRemains body{ mesh, ordered, sample, rings, choice.degree, values, {} };
+    return vtkRidgesForBatches(filter, static_cast<vtkIdType>(sample.size()), from, to, body);
+  };
+  if (!where.ForSample(rings, remains, look))
   {
     return false;
   }
   choice.correlation = ridges::NeighborCorrelation(remains);
   return true;
+}
+
+} // namespace
+
+bool vtkRidgesSelectJets(vtkAlgorithm* filter, const ridges::TriangleMesh& mesh,
+  const ridges::OrderedRings& rings, ridges::JetSelection selection, double from, double to,
+  ridges::JetChoice& choice)
+{
+  WholeMesh whole{ mesh, rings, ridges::ShapeSample(mesh, WantedPoints) };
+  return Select(filter, whole, std::move(selection), from, to, choice);
+}
+
+bool vtkRidgesSelectJets(vtkAlgorithm* filter, ridges::Ranks& ranks, ridges::SharedMesh& shared,
+  ridges::JetSelection selection, double from, double to, ridges::JetChoice& choice)
+{
+  MeshOfRanks mesh{ ranks, shared,
+    ridges::ShapeSample(shared.Around(), shared.NumberOfOwned(), WantedPoints, ranks) };
+  return Select(filter, mesh, std::move(selection), from, to, choice);
 }
 
 void vtkRidgesAverageJets(

@@ -4,6 +4,7 @@
 #define vtkRidgesJetSelection_h
 
 #include "Core/Fit/JetSelection.h"
+#include "Core/Shares/SharedMesh.h"
 
 class vtkAlgorithm;
 class vtkPolyData;
@@ -14,6 +15,10 @@ class vtkRidgesMesh;
 bool vtkRidgesSelectJets(vtkAlgorithm* filter, const ridges::TriangleMesh& mesh,
   const ridges::OrderedRings& rings, ridges::JetSelection selection, double from, double to,
   ridges::JetChoice& choice);
+
+/// The same choice of a mesh that is shared between ranks, on all of them.
+bool vtkRidgesSelectJets(vtkAlgorithm* filter, ridges::Ranks& ranks, ridges::SharedMesh& shared,
+  ridges::JetSelection selection, double from, double to, ridges::JetChoice& choice);
 
 /// Replaces the fitted arrays by their averages. `mesh` is that of `fitted`.
 void vtkRidgesAverageJets(

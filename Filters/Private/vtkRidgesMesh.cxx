@@ -384,18 +384,22 @@ int vtkRidgesMesh::GetEulerCharacteristic() const
 
 vtkIdType vtkRidgesMesh::CountCoincidentPoints() const
 {
-  std::vector<vtkIdType> order;
-  for (vtkIdType p = 0; p < this->Triangles->NumberOfPoints(); ++p)
+  return vtkRidgesCountCoincidentPoints(*this->Triangles, this->Triangles->NumberOfPoints());
+}
+
+vtkIdType vtkRidgesCountCoincidentPoints(const ridges::TriangleMesh& mesh, ridges::Id end)
+{
+  std::vector<Id> order;
+  for (Id p = 0; p < end; ++p)
   {
-    if (this->Triangles->TrianglesAround(static_cast<ridges::Id>(p)).size() > 0)
+    if (mesh.TrianglesAround(p).size() > 0)
     {
       order.push_back(p);
     }
   }
-  const auto position = [this](vtkIdType p)
-  { return this->Triangles->Point(static_cast<ridges::Id>(p)).data(); };
+  const auto position = [&mesh](Id p) { return mesh.Point(p).data(); };
   std::sort(order.begin(), order.end(),
-    [position](vtkIdType p, vtkIdType q)
+    [position](Id p, Id q)
     {
       return std::lexicographical_compare(
         position(p), position(p) + 3, position(q), position(q) + 3);
@@ -406,4 +410,24 @@ vtkIdType vtkRidgesMesh::CountCoincidentPoints() const
     count += std::equal(position(order[i]), position(order[i]) + 3, position(order[i - 1])) ? 1 : 0;
   }
   return count;
+}
+
+void vtkRidgesMesh::Adopt(vtkPolyData* data, ridges::TriangleMesh triangles)
+{
+  this->PolyData = data;
+  this->Ghosts.Read(data);
+  auto adjacency = std::make_shared<Adjacency>();
+  adjacency->FetchPoints(data);
+  adjacency->triangles = std::move(triangles);
+  this->Take(std::move(adjacency));
+}
+
+ridges::RangeLoop vtkRidgesLentThreads()
+{
+  return LendThreads;
+}
+
+ridges::Id vtkRidgesSharesOfThreads()
+{
+  return NumberOfShares();
 }

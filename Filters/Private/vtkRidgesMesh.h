@@ -48,6 +48,10 @@ public:
     ridges::TriangleMesh::Edges edges = ridges::TriangleMesh::Edges::Built,
     Duplicates duplicates = Duplicates::Kept);
 
+  /// Takes triangles that were made elsewhere: all polys of the data, whose points are doubles, and
+  /// the same in memory.
+  void Adopt(vtkPolyData* data, ridges::TriangleMesh triangles);
+
   /// Numbers the edges, if that has not been done yet.
   void BuildEdges();
 
@@ -110,5 +114,12 @@ private:
   vtkIdType FirstPoly = 0;
   vtkIdType NumberOfTriangulatedCells = 0;
 };
+
+/// Of the points before `end`, those that have triangles and coincide with another one.
+vtkIdType vtkRidgesCountCoincidentPoints(const ridges::TriangleMesh& mesh, ridges::Id end);
+
+/// What TriangleMesh takes to be built on all threads.
+ridges::RangeLoop vtkRidgesLentThreads();
+ridges::Id vtkRidgesSharesOfThreads();
 
 #endif

@@ -99,7 +99,20 @@ std::vector<std::vector<T>> GatherAllValues(Ranks& ranks, const std::vector<T>& 
   return received;
 }
 
-/// The same for a value of each rank, in order.
+/// The values of all ranks in an order.
+template <typename T, typename Precedes>
+std::vector<T> GatherInOneRow(Ranks& ranks, const std::vector<T>& values, const Precedes& precedes)
+{
+  std::vector<T> all;
+  for (const std::vector<T>& each : GatherAllValues(ranks, values))
+  {
+    all.insert(all.end(), each.begin(), each.end());
+  }
+  std::sort(all.begin(), all.end(), precedes);
+  return all;
+}
+
+/// A value of each rank, in their order.
 template <typename T>
 std::vector<T> GatherAllOne(Ranks& ranks, const T& value)
 {

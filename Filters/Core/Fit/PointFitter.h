@@ -48,6 +48,9 @@ public:
   /// Whether the points that were gathered last are in the order of the rings.
   bool IsInRings() const { return this->Neighborhood_.IsInRings(); }
 
+  /// See RingNeighborhood.
+  int TakeReach() { return this->Neighborhood_.TakeReach(); }
+
   /// Without growth, if it was found to be of no use.
   enum class Growth
   {

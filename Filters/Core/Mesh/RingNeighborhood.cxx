@@ -98,6 +98,8 @@ bool RingNeighborhood::AddRing(Accept accept)
   this->Count_ = count;
   this->RingBegin_ = ringEnd;
   this->IsInRings_ = this->IsInRings_ && isInRings;
+  this->RingsWalked_ += count > ringEnd ? 1 : 0;
+  this->Reach_ = std::max(this->Reach_, this->RingsWalked_);
   return count > ringEnd;
 }
 
@@ -163,6 +165,7 @@ void RingNeighborhood::Begin(Id vertex)
   this->Stamps_[vertex] = this->Stamp_;
   this->RingBegin_ = 0;
   this->NumberOfRings_ = 0;
+  this->RingsWalked_ = 0;
   this->IsInRings_ = !this->Rings_.StartsAtAny(vertex);
 }
 
@@ -217,6 +220,8 @@ bool RingNeighborhood::AddTwoRings()
   this->Count_ = count;
   this->RingBegin_ = 1 + fan.size();
   this->NumberOfRings_ = 2;
+  this->RingsWalked_ = 2;
+  this->Reach_ = std::max(this->Reach_, 2);
   return true;
 }
 

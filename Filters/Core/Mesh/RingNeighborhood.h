@@ -54,6 +54,15 @@ public:
   /// Number of rings that the last call completed (0 for a radius).
   int NumberOfRings() const { return this->NumberOfRings_; }
 
+  /// The most rings that any call since the last one of this kind has reached over, by radius or
+  /// not: what lies around farther points was not looked at.
+  int TakeReach()
+  {
+    const int reach = this->Reach_;
+    this->Reach_ = 0;
+    return reach;
+  }
+
   /// Whether the last call gave the vertex and then its ring in order, as OrderedRings has it.
   /// Where points share a place, so that the order of rings would depend on the numbering, it gave
   /// all points by distance.
@@ -78,6 +87,8 @@ private:
   Id Count_ = 0;
   Id RingBegin_ = 0;
   int NumberOfRings_ = 0;
+  int RingsWalked_ = 0; ///< As NumberOfRings_, but for a radius, too.
+  int Reach_ = 0;
   bool IsInRings_ = true;
   std::vector<Id> Irregular_; ///< Neighbours of the irregular point visited last.
   std::vector<Id> Sorted_;

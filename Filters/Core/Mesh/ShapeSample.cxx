@@ -2,15 +2,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Mesh/ShapeSample.h"
 
+#include "Base/RankMessages.h"
 #include "Mesh/PositionHash.h"
-#include "Mesh/PositionSample.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <utility>
+#include <tuple>
 
 namespace ridges
 {
@@ -29,58 +29,101 @@ bool IsOnSurface(const TriangleMesh& mesh, Id p)
   return mesh.TrianglesAround(p).size() > 0;
 }
 
+/// Points that a rank draws from.
+struct Points
+{
+  const TriangleMesh& mesh;
+  Id count;
+  Ranks& ranks;
+
+  /// On any rank.
+  std::int64_t CountOnSurface() const
+  {
+    std::int64_t sum = 0;
+    for (Id p = 0; p < this->count; ++p)
+    {
+      sum += IsOnSurface(this->mesh, p) ? 1 : 0;
+    }
+    return SumOverRanks(this->ranks, sum);
+  }
+};
+
 /// The mean of what is `valueOf` at the points of the surface, from 0 to `greatest`.
 template <typename ValueOf>
-double Mean(const TriangleMesh& mesh, double greatest, const ValueOf& valueOf)
+double Mean(const Points& points, double greatest, const ValueOf& valueOf)
 {
   std::int64_t sum = 0;
-  Id count = 0;
-  for (Id p = 0; p < mesh.NumberOfPoints(); ++p)
+  for (Id p = 0; p < points.count; ++p)
   {
-    if (IsOnSurface(mesh, p))
+    if (IsOnSurface(points.mesh, p))
     {
       sum += std::llround(valueOf(p) / greatest * Steps);
-      ++count;
     }
   }
-  return static_cast<double>(sum) / static_cast<double>(count) * greatest / Steps;
+  return static_cast<double>(SumOverRanks(points.ranks, sum)) /
+    static_cast<double>(points.CountOnSurface()) * greatest / Steps;
+}
+
+struct Bounds
+{
+  std::array<double, 3> least;
+  std::array<double, 3> most;
+  bool isFinite;
+};
+
+/// Of the points on the surface, of all ranks.
+Bounds BoundsOf(const Points& points)
+{
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  Bounds own{ { infinity, infinity, infinity }, { -infinity, -infinity, -infinity }, true };
+  const auto include = [](Bounds& bounds, const Bounds& other)
+  {
+    bounds.isFinite = bounds.isFinite && other.isFinite;
+    for (int i = 0; i < 3; ++i)
+    {
+      bounds.least[i] = std::min(bounds.least[i], other.least[i]);
+      bounds.most[i] = std::max(bounds.most[i], other.most[i]);
+    }
+  };
+  for (Id p = 0; p < points.count; ++p)
+  {
+    if (IsOnSurface(points.mesh, p))
+    {
+      const auto x = points.mesh.Point(p);
+      include(own, { { x[0], x[1], x[2] }, { x[0], x[1], x[2] }, x.allFinite() });
+    }
+  }
+  for (const Bounds& other : GatherAllOne(points.ranks, own))
+  {
+    include(own, other);
+  }
+  return own;
 }
 
 /// The distance of each point from the centroid over its mean, in steps. Empty if there is none.
-std::vector<std::uint64_t> StepsFromCentroid(const TriangleMesh& mesh)
+std::vector<std::uint64_t> StepsFromCentroid(const Points& points)
 {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  Eigen::Vector3d least = Eigen::Vector3d::Constant(infinity);
-  Eigen::Vector3d most = -least;
-  bool isFinite = true;
-  for (Id p = 0; p < mesh.NumberOfPoints(); ++p)
-  {
-    if (!IsOnSurface(mesh, p))
-    {
-      continue;
-    }
-    const Eigen::Vector3d x = mesh.Point(p);
-    isFinite = isFinite && x.allFinite();
-    least = least.cwiseMin(x);
-    most = most.cwiseMax(x);
-  }
+  const Bounds bounds = BoundsOf(points);
+  const Eigen::Vector3d least(bounds.least[0], bounds.least[1], bounds.least[2]);
+  const Eigen::Vector3d most(bounds.most[0], bounds.most[1], bounds.most[2]);
   const double extent = (most - least).maxCoeff();
-  if (!isFinite || !(extent > 0.0) || !std::isfinite(extent))
+  if (!bounds.isFinite || !(extent > 0.0) || !std::isfinite(extent))
   {
     return {};
   }
+  const TriangleMesh& mesh = points.mesh;
   Eigen::Vector3d centroid;
   for (int i = 0; i < 3; ++i)
   {
     centroid[i] =
-      Mean(mesh, extent, [&mesh, &least, i](Id p) { return mesh.Point(p)[i] - least[i]; });
+      Mean(points, extent, [&mesh, &least, i](Id p) { return mesh.Point(p)[i] - least[i]; });
   }
   const auto distance = [&mesh, &least, &centroid](Id p)
   { return (mesh.Point(p) - least - centroid).norm(); };
-  const double mean = Mean(mesh, 2.0 * extent, distance);
+  const double mean = Mean(points, 2.0 * extent, distance);
   std::vector<std::uint64_t> steps;
-  steps.reserve(static_cast<std::size_t>(mesh.NumberOfPoints()));
-  for (Id p = 0; p < mesh.NumberOfPoints(); ++p)
+  steps.reserve(static_cast<std::size_t>(points.count));
+  for (Id p = 0; p < points.count; ++p)
   {
     steps.push_back(IsOnSurface(mesh, p)
         ? static_cast<std::uint64_t>(distance(p) / mean * StepsOfDistance)
@@ -91,51 +134,51 @@ std::vector<std::uint64_t> StepsFromCentroid(const TriangleMesh& mesh)
 
 } // namespace
 
-std::vector<Id> ShapeSample(const TriangleMesh& mesh, double wanted)
+std::vector<DrawnPoint> ShapeSample(const TriangleMesh& mesh, Id count, double wanted, Ranks& ranks)
 {
-  if (static_cast<double>(mesh.NumberOfPoints()) <= wanted)
+  const Points points{ mesh, count, ranks };
+  if (static_cast<double>(SumOverRanks(ranks, count)) <= wanted)
   {
-    return PositionSample(mesh, wanted);
+    return PositionSample(mesh, count, wanted, ranks);
   }
-  const std::vector<std::uint64_t> steps = StepsFromCentroid(mesh);
-  const auto count = std::count_if(
-    steps.begin(), steps.end(), [](std::uint64_t step) { return step != NotOnSurface; });
-  const double part = wanted / static_cast<double>(count);
-  std::vector<std::pair<std::uint64_t, Id>> chosen;
+  const std::vector<std::uint64_t> steps = StepsFromCentroid(points);
+  const double part = wanted / static_cast<double>(points.CountOnSurface());
+  std::vector<DrawnPoint> own;
   for (std::size_t p = 0; p < steps.size(); ++p)
   {
     const std::uint64_t hash = MixedBits(steps[p]);
     if (steps[p] != NotOnSurface && static_cast<double>(hash) < part * 0x1p64)
     {
-      chosen.emplace_back(hash, static_cast<Id>(p));
+      const auto id = static_cast<Id>(p);
+      const auto x = mesh.Point(id);
+      own.push_back({ hash, { x[0], x[1], x[2] }, ranks.Rank(), id });
     }
   }
-  const auto coordinates = [&mesh](Id p)
-  {
-    const Eigen::Vector3d x = mesh.Point(p);
-    return std::array<double, 3>{ x[0], x[1], x[2] };
-  };
-  std::sort(chosen.begin(), chosen.end(),
-    [&coordinates](const auto& a, const auto& b) {
-      return std::pair(a.first, coordinates(a.second)) < std::pair(b.first, coordinates(b.second));
-    });
-  std::vector<Id> sample;
+  const std::vector<DrawnPoint> chosen = GatherInOneRow(ranks, own,
+    [](const DrawnPoint& a, const DrawnPoint& b)
+    { return std::tie(a.hash, a.x) < std::tie(b.hash, b.x); });
+  std::vector<DrawnPoint> sample;
   std::size_t different = 0;
   for (std::size_t i = 0; i < chosen.size(); ++i)
   {
-    const auto isAt = [&chosen, &coordinates, i](std::size_t j)
-    { return coordinates(chosen[j].second) == coordinates(chosen[i].second); };
-    different += i == 0 || chosen[i - 1].first != chosen[i].first ? 1 : 0;
+    const auto isAt = [&chosen, i](std::size_t j) { return chosen[j].x == chosen[i].x; };
+    different += i == 0 || chosen[i - 1].hash != chosen[i].hash ? 1 : 0;
     if ((i == 0 || !isAt(i - 1)) && (i + 1 == chosen.size() || !isAt(i + 1)))
     {
-      sample.push_back(chosen[i].second);
+      sample.push_back(chosen[i]);
     }
   }
   // A mesh may have a few planes of symmetry.
   constexpr double fewest = 1.0 / 16.0;
   const bool isVaried = static_cast<double>(different) > fewest * wanted &&
     static_cast<double>(sample.size()) > 0.5 * wanted;
-  return isVaried ? sample : PositionSample(mesh, wanted);
+  return isVaried ? sample : PositionSample(mesh, count, wanted, ranks);
+}
+
+std::vector<Id> ShapeSample(const TriangleMesh& mesh, double wanted)
+{
+  OneRank alone;
+  return DrawnOn(0, ShapeSample(mesh, mesh.NumberOfPoints(), wanted, alone));
 }
 
 } // namespace ridges

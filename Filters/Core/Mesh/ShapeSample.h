@@ -3,7 +3,7 @@
 #ifndef ridges_ShapeSample_h
 #define ridges_ShapeSample_h
 
-#include "Mesh/TriangleMesh.h"
+#include "Mesh/PositionSample.h"
 
 #include <vector>
 
@@ -16,6 +16,10 @@ namespace ridges
  * on spheres and surfaces of revolution, it is a PositionSample.
  */
 std::vector<Id> ShapeSample(const TriangleMesh& mesh, double wanted);
+
+/// The same of a mesh that is shared between ranks: see PositionSample.
+std::vector<DrawnPoint> ShapeSample(
+  const TriangleMesh& mesh, Id count, double wanted, Ranks& ranks);
 
 } // namespace ridges
 

@@ -61,6 +61,7 @@ public:
     return Eigen::Map<const Eigen::Vector3d>(this->Points_ + 3 * static_cast<std::size_t>(p));
   }
   const Triangle& Corners(Id t) const { return this->Triangles_[t]; }
+  Span<Triangle> Triangles() const { return { this->Triangles_.begin(), this->Triangles_.end() }; }
   const Edge& EdgeAt(Id e) const { return this->Edges_[e]; }
 
   /// The edge of triangle t that joins its corners i and i + 1 (modulo 3).

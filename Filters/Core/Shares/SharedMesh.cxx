@@ -111,8 +111,8 @@ void SharedMesh::SendTriangles(Ranks& ranks, const MeshPiece& piece)
   {
     this->Take(TakePatch(message));
   }
-  this->Around_ = TriangleMesh(nullptr, static_cast<Id>(this->Positions_.size() / 3),
-    this->Triangles_, TriangleMesh::Edges::NotBuilt);
+  this->Around_ = TriangleMesh(this->Points_.Owned().data(),
+    static_cast<Id>(this->Positions_.size() / 3), this->Triangles_, TriangleMesh::Edges::NotBuilt);
 }
 
 /// Who lies at one place is ordered by what lies around: that takes the coincident points of all

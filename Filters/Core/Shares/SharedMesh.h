@@ -50,6 +50,10 @@ public:
   const SharedPoints& Points() const { return this->Points_; }
   Id NumberOfOwned() const { return this->Points_.NumberOfOwned(); }
 
+  /// The owned points, first, and the triangles around them. There are other points, but it is not
+  /// known here where.
+  const TriangleMesh& Around() const { return this->Around_; }
+
   /// Of all ranks.
   std::int64_t NumberOfTriangles() const { return this->NumberOfTriangles_; }
 
@@ -99,6 +103,13 @@ public:
     const RangeLoop& loop = TriangleMesh::InOneRange, Id shares = 1);
 
   const TriangleMesh& Mesh() const { return this->Mesh_; }
+
+  /// The mesh goes to somebody else; the points, whose memory stays, are needed as long as it is.
+  TriangleMesh TakeMesh() { return std::move(this->Mesh_); }
+
+  /// Whether an edge from one of the points that come first to any other belongs to this one: each
+  /// edge belongs to one end.
+  bool IsFirstEnd(Id p, Id q) const { return this->Numbers_[p] < this->Numbers_[q]; }
 
   /// So many points come first.
   Id NumberOfInner() const { return this->NumberOfInner_; }

@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkRidges contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkRidgesSharedRows.h"
+
+#include "vtkRidgesArrayNames.h"
+
+#include "vtkDoubleArray.h"
+#include "vtkIntArray.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace
+{
+
+/// The array of the same name and components with other rows; null if it is of another type.
+template <typename Array, typename Rows>
+vtkSmartPointer<vtkDataArray> WithRows(vtkDataArray* array, const Rows& rowsOf)
+{
+  auto* typed = Array::SafeDownCast(array);
+  if (!typed)
+  {
+    return nullptr;
+  }
+  const int width = typed->GetNumberOfComponents();
+  const auto rows = rowsOf(typed->GetPointer(0), width);
+  auto result = vtkSmartPointer<Array>::New();
+  result->SetName(typed->GetName());
+  result->SetNumberOfComponents(width);
+  result->CopyComponentNames(typed);
+  result->SetNumberOfTuples(static_cast<vtkIdType>(rows.size()) / width);
+  std::copy(rows.begin(), rows.end(), result->GetPointer(0));
+  return result;
+}
+
+template <typename Rows>
+void ForArrays(vtkPointData* from, vtkPointData* to, const Rows& rowsOf)
+{
+  for (int i = 0; i < from->GetNumberOfArrays(); ++i)
+  {
+    auto array = WithRows<vtkDoubleArray>(from->GetArray(i), rowsOf);
+    if (!array)
+    {
+      array = WithRows<vtkIntArray>(from->GetArray(i), rowsOf);
+    }
+    to->AddArray(array);
+  }
+  to->SetActiveNormals(vtkRidgesArrayNames::Normals);
+}
+
+} // namespace
+
+void vtkRidgesRowsOfPiece(ridges::Ranks& ranks, const ridges::SharedPoints& points,
+  vtkPointData* owned, vtkPointData* piece)
+{
+  ForArrays(owned, piece,
+    [&ranks, &points](const auto* values, int width)
+    { return points.ToPiece(ranks, values, width); });
+}
+
+void vtkRidgesRowsOfShare(
+  ridges::Ranks& ranks, const ridges::MeshShare& share, vtkPointData* owned, vtkPointData* values)
+{
+  ForArrays(owned, values,
+    [&ranks, &share](const auto* rows, int width) { return share.Rows(ranks, rows, width); });
+}
