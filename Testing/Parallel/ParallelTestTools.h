@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkRidges contributors
+// SPDX-License-Identifier: BSD-3-Clause
+// What the tests on several ranks share: all ranks run the same tests, each with its piece.
+
+#ifndef ParallelTestTools_h
+#define ParallelTestTools_h
+
+#include "TestMeshes.h"
+#include "ThreadRanks.h"
+
+#include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+class vtkFieldData;
+class vtkMultiProcessController;
+
+namespace ridges
+{
+namespace testing
+{
+
+vtkMultiProcessController* Controller();
+
+/// What rank 0 makes, on all ranks.
+vtkSmartPointer<vtkPolyData> FromFirstRank(
+  const std::function<vtkSmartPointer<vtkPolyData>()>& make);
+
+/// This rank's piece of a mesh, without any points if it has none.
+struct RankPiece
+{
+  PieceOfMesh piece;
+  vtkSmartPointer<vtkPolyData> data;
+};
+RankPiece PieceOfRank(const Mesh& mesh, Partition partition);
+
+/// The first array of `expected` whose values at ids[i] are not, byte for byte, those at i in
+/// `actual`, or that is not there; empty if there is none.
+std::string FirstOtherRow(
+  vtkFieldData* expected, vtkFieldData* actual, const std::vector<std::int32_t>& ids);
+
+/// Meshes that are small, but of all kinds.
+struct NamedMesh
+{
+  const char* name;
+  Mesh mesh;
+};
+std::vector<NamedMesh> SmallMeshes();
+
+} // namespace testing
+} // namespace ridges
+
+#endif
