@@ -21,7 +21,7 @@ using namespace ridges::testing;
 namespace
 {
 
-using Setup = std::function<void(vtkJetFitting*)>;
+using Properties = std::function<void(vtkJetFitting*)>;
 
 /// Without what VTK puts before the text.
 std::string Bare(const std::string& message)
@@ -30,48 +30,61 @@ std::string Bare(const std::string& message)
   return end == std::string::npos ? message : message.substr(end + 3);
 }
 
-void ExpectTheSameJets(
-  const char* name, const Mesh& mesh, Partition partition, const Setup& setUp)
+struct Expected
 {
-  SCOPED_TRACE(std::string(name) + ", partition " + std::to_string(static_cast<int>(partition)));
-  std::string expectedWarnings;
-  const auto expected = FromFirstRank(
-    [&mesh, &setUp, &expectedWarnings]
+  vtkSmartPointer<vtkPolyData> data;
+  std::string warnings; ///< On rank 0.
+};
+
+Expected OnOneRank(const Mesh& mesh, const Properties& set)
+{
+  Expected expected;
+  expected.data = FromFirstRank(
+    [&mesh, &set, &expected]
     {
       vtkNew<vtkJetFitting> serial;
       const MessageRecorder recorder(serial);
-      setUp(serial);
+      set(serial);
       serial->SetInputData(ToPolyData(mesh));
       serial->Update();
-      expectedWarnings = Bare(recorder.WarningText());
+      expected.warnings = Bare(recorder.WarningText());
       vtkSmartPointer<vtkPolyData> result = serial->GetOutput();
       return result;
     });
-  const RankPiece own = PieceOfRank(mesh, partition);
+  return expected;
+}
+
+void ExpectTheSameJets(
+  const Expected& expected, const NamedMesh& named, Partition partition, const Properties& set)
+{
+  SCOPED_TRACE(
+    std::string(named.name) + ", partition " + std::to_string(static_cast<int>(partition)));
+  const RankPiece own = PieceOfRank(named.mesh, partition);
   vtkNew<vtkPJetFitting> parallel;
   const MessageRecorder recorder(parallel);
-  setUp(parallel);
+  set(parallel);
   parallel->SetInputData(own.data);
   parallel->Update();
+  vtkPolyData* actual = parallel->GetOutput();
   EXPECT_EQ(recorder.ErrorText(), "");
-  EXPECT_EQ(Bare(recorder.WarningText()), expectedWarnings); // of rank 0, on both sides
-  EXPECT_EQ(parallel->GetOutput()->GetNumberOfCells(), own.data->GetNumberOfCells());
-  EXPECT_EQ(FirstOtherRow(expected->GetPointData(), parallel->GetOutput()->GetPointData(),
-              own.piece.points),
-    "");
+  EXPECT_EQ(Bare(recorder.WarningText()), expected.warnings);
+  EXPECT_EQ(actual->GetNumberOfCells(), own.data->GetNumberOfCells());
   EXPECT_EQ(
-    FirstOtherRow(expected->GetFieldData(), parallel->GetOutput()->GetFieldData(), { 0 }), "");
+    FirstOtherRow(expected.data->GetPointData(), actual->GetPointData(), own.piece.points), "");
+  EXPECT_EQ(FirstOtherRow(expected.data->GetFieldData(), actual->GetFieldData(), { 0 }), "");
 }
 
 } // namespace
 
 TEST(PJetFitting, GivesTheBytesOfOneRank)
 {
+  const Properties none = [](vtkJetFitting*) {};
   for (const NamedMesh& named : SmallMeshes())
   {
+    const Expected expected = OnOneRank(named.mesh, none);
     for (const Partition partition : AllPartitions)
     {
-      ExpectTheSameJets(named.name, named.mesh, partition, [](vtkJetFitting*) {});
+      ExpectTheSameJets(expected, named, partition, none);
     }
   }
 }
@@ -82,14 +95,18 @@ TEST(PJetFitting, GivesTheBytesOfOneRankInAnyNeighborhood)
   for (const int kind :
     { vtkJetFitting::BY_POINT_COUNT, vtkJetFitting::BY_RINGS, vtkJetFitting::BY_RADIUS })
   {
-    const auto setUp = [kind](vtkJetFitting* filter)
+    const Properties set = [kind](vtkJetFitting* filter)
     {
       filter->SetNeighborhood(kind);
       filter->SetRadius(0.35);
       filter->SetStandardErrors(true);
       filter->SetWeightingToGaussian();
     };
-    ExpectTheSameJets("noisy ellipsoid", meshes[1].mesh, Partition::Random, setUp);
-    ExpectTheSameJets("open patch", meshes[4].mesh, Partition::Strips, setUp);
+    for (const std::size_t i : { 1, 4 })
+    {
+      const Expected expected = OnOneRank(meshes[i].mesh, set);
+      ExpectTheSameJets(expected, meshes[i], Partition::Random, set);
+      ExpectTheSameJets(expected, meshes[i], Partition::Strips, set);
+    }
   }
 }
