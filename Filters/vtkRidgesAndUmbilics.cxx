@@ -2,10 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRidgesAndUmbilics.h"
 
+#include "Core/Base/RankMessages.h"
 #include "vtkRidgeSharpnessFilter.h"
 #include "vtkRidgesCompatibility.h"
+#include "vtkRidgesGathering.h"
 #include "vtkRidgesGhosts.h"
 #include "vtkRidgesRequest.h"
+#include "vtkRidgesSharedInput.h"
 
 #include "vtkCommand.h"
 #include "vtkExecutive.h"
@@ -13,10 +16,12 @@
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
 
 #include <array>
 #include <string>
 #include <type_traits>
+#include <vector>
 
 vtkStandardNewMacro(vtkRidgesAndUmbilics);
 
@@ -41,6 +46,17 @@ void SetOnStage(vtkAlgorithm* filter, Stage* stage, void (Stage::*setter)(Value)
 /// The four filters in a row.
 class vtkRidgesAndUmbilics::vtkInternals
 {
+  /// On the ranks of the filter.
+  class Jets : public vtkJetFitting
+  {
+  public:
+    static Jets* New();
+    vtkRidgesAndUmbilics* filter = nullptr;
+
+  protected:
+    ridges::Ranks* GetRanks() override { return this->filter->GetRanks(); }
+  };
+
 public:
   explicit vtkInternals(vtkRidgesAndUmbilics* filter);
 
@@ -51,11 +67,18 @@ public:
 
   void TakeIn(vtkPolyData* input);
 
-  vtkNew<vtkJetFitting> jets;
+  /// Runs a stage. False where the filter has to stop: because of an error, or of the user.
+  bool Run(vtkPolyDataAlgorithm* stage);
+
+  /// Fits on all ranks if any of them has to, and gathers the mesh. The same result on all.
+  bool FitOnRanks(ridges::Ranks& ranks);
+
+  vtkSmartPointer<vtkJetFitting> jets;
   vtkNew<vtkUmbilicDetection> umbilics;
   vtkNew<vtkRidgeExtraction> ridges;
   vtkNew<vtkRidgeSharpnessFilter> selection;
   std::string errorText; ///< Of the stages, in this update.
+  vtkRidgesGathering gathering;
 
 private:
   void ForwardProgress(vtkObject* stage, unsigned long, void*);
@@ -64,12 +87,17 @@ private:
   vtkRidgesAndUmbilics* Filter;
   const vtkPolyData* LastInput = nullptr; ///< To compare with only.
   vtkMTimeType LastInputTime = 0;
+  vtkMTimeType LastFitTime = 0; ///< On ranks.
 };
+
+vtkStandardNewMacro(vtkRidgesAndUmbilics::vtkInternals::Jets);
 
 vtkRidgesAndUmbilics::vtkInternals::vtkInternals(vtkRidgesAndUmbilics* filter)
   : Filter(filter)
 {
-  this->umbilics->SetInputConnection(this->jets->GetOutputPort());
+  vtkNew<Jets> jetsOfFilter;
+  jetsOfFilter->filter = filter;
+  this->jets = jetsOfFilter;
   this->ridges->SetInputConnection(this->umbilics->GetOutputPort());
   this->selection->SetInputConnection(this->ridges->GetOutputPort());
 
@@ -100,6 +128,36 @@ void vtkRidgesAndUmbilics::vtkInternals::TakeIn(vtkPolyData* input)
     this->LastInput = input;
     this->LastInputTime = input->GetMTime();
   }
+}
+
+bool vtkRidgesAndUmbilics::vtkInternals::Run(vtkPolyDataAlgorithm* stage)
+{
+  stage->Update();
+  if (this->errorText.empty() && vtkRidgesCompatibility::IsAborted(this->Filter))
+  {
+    // Taken back, as VTK after 9.1 does not do so itself; and what it has left is not its output.
+    stage->SetAbortExecute(0);
+    stage->Modified();
+    return false;
+  }
+  return this->errorText.empty();
+}
+
+bool vtkRidgesAndUmbilics::vtkInternals::FitOnRanks(ridges::Ranks& ranks)
+{
+  if (!ridges::IsAnywhere(ranks, this->jets->GetMTime() > this->LastFitTime))
+  {
+    return true;
+  }
+  this->jets->Modified(); // so that all run
+  if (ridges::IsAnywhere(ranks, !this->Run(this->jets)))
+  {
+    this->LastFitTime = 0;
+    return false;
+  }
+  this->LastFitTime = this->jets->GetMTime();
+  this->umbilics->SetInputData(this->gathering.Gather(ranks, this->jets->GetOutput()));
+  return true;
 }
 
 void vtkRidgesAndUmbilics::vtkInternals::ForwardProgress(vtkObject* stage, unsigned long, void*)
@@ -187,16 +245,26 @@ vtkRidgesAndUmbilics::~vtkRidgesAndUmbilics()
 int vtkRidgesAndUmbilics::RequestUpdateExtent(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
-  vtkRidgesRequestGhostLevels(inputVector[0],
-    vtkRidgesGhostLevelsOf(this->Internals->jets) +
-      vtkRidgesGhostLevelsOf(this->Internals->umbilics) +
-      vtkRidgesGhostLevelsOf(this->Internals->ridges));
+  // Ranks that share the mesh get what they need from each other.
+  const ridges::Ranks* ranks = this->GetRanks();
+  if (!ranks || ranks->Size() == 1)
+  {
+    vtkRidgesRequestGhostLevels(inputVector[0],
+      vtkRidgesGhostLevelsOf(this->Internals->jets) +
+        vtkRidgesGhostLevelsOf(this->Internals->umbilics) +
+        vtkRidgesGhostLevelsOf(this->Internals->ridges));
+  }
   return this->Superclass::RequestUpdateExtent(request, inputVector, outputVector);
 }
 
 int vtkRidgesAndUmbilics::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
+  ridges::Ranks* ranks = this->GetRanks();
+  if (ranks && ranks->Size() > 1)
+  {
+    return this->RequestSharedData(*ranks, inputVector, outputVector);
+  }
   vtkPolyData* input = vtkRidgesGetPolyData(this, inputVector[0]);
   if (!input)
   {
@@ -213,26 +281,74 @@ int vtkRidgesAndUmbilics::RequestData(
   vtkInternals& internals = *this->Internals;
   internals.TakeIn(input);
   internals.errorText.clear();
+  internals.umbilics->SetInputConnection(internals.jets->GetOutputPort());
   for (vtkPolyDataAlgorithm* stage : internals.GetStages())
   {
-    stage->Update();
-    if (!internals.errorText.empty())
+    if (!internals.Run(stage))
     {
-      vtkErrorMacro(<< internals.errorText);
-      return 0;
-    }
-    if (vtkRidgesCompatibility::IsAborted(this))
-    {
-      // Taken back, as VTK after 9.1 does not do so itself; and what it has left is not its output.
-      stage->SetAbortExecute(0);
-      stage->Modified();
-      return 1;
+      if (!internals.errorText.empty())
+      {
+        vtkErrorMacro(<< internals.errorText);
+      }
+      return internals.errorText.empty() ? 1 : 0;
     }
   }
 
   vtkPolyData::GetData(outputVector, RIDGES)->ShallowCopy(internals.selection->GetOutput());
   vtkPolyData::GetData(outputVector, UMBILICS)->ShallowCopy(internals.umbilics->GetOutput(1));
   vtkPolyData::GetData(outputVector, MESH)->ShallowCopy(internals.ridges->GetOutput(2));
+  return 1;
+}
+
+/// Jets are fitted on all ranks, all else is found on the first.
+int vtkRidgesAndUmbilics::RequestSharedData(
+  ridges::Ranks& ranks, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  std::string faults;
+  vtkPolyData* input = vtkRidgesGetPiece(inputVector[0], faults);
+  if (!vtkRidgesAgree(this, ranks, faults))
+  {
+    return 0;
+  }
+  const vtkIdType polygons = input->GetNumberOfPolys() + input->GetNumberOfStrips();
+  if (!ridges::IsAnywhere(ranks, polygons > 0) &&
+    ridges::IsAnywhere(ranks, input->GetNumberOfPoints() > 0))
+  {
+    vtkErrorMacro("The input has points, but no triangles: give the mesh of a surface.");
+    return 0;
+  }
+  vtkInternals& internals = *this->Internals;
+  internals.TakeIn(input);
+  internals.errorText.clear();
+  bool isDone = internals.FitOnRanks(ranks);
+  const bool isFirst = ranks.Rank() == 0;
+  if (isDone)
+  {
+    for (vtkPolyDataAlgorithm* stage : internals.GetStages())
+    {
+      isDone = isDone && (!isFirst || stage == internals.jets || internals.Run(stage));
+    }
+    isDone = !ridges::IsAnywhere(ranks, !isDone);
+  }
+  if (!isDone)
+  {
+    // That of the first rank is the error of all. There is none if the user aborted.
+    const std::string& own = internals.errorText;
+    const std::vector<char> text =
+      ridges::GatherAllValues(ranks, std::vector<char>(own.begin(), own.end())).front();
+    if (!text.empty())
+    {
+      vtkErrorMacro(<< std::string(text.begin(), text.end()));
+    }
+    return text.empty() ? 1 : 0;
+  }
+  if (isFirst)
+  {
+    vtkPolyData::GetData(outputVector, RIDGES)->ShallowCopy(internals.selection->GetOutput());
+    vtkPolyData::GetData(outputVector, UMBILICS)->ShallowCopy(internals.umbilics->GetOutput(1));
+  }
+  internals.gathering.GiveBack(ranks, isFirst ? internals.ridges->GetOutput(2) : nullptr,
+    vtkPolyData::GetData(outputVector, MESH));
   return 1;
 }
 

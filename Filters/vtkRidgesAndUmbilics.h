@@ -148,9 +148,15 @@ protected:
   int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
+  /// The ranks that have the other pieces of the mesh; null: the input is all there is. Private to
+  /// the modules of vtkRidges.
+  virtual ridges::Ranks* GetRanks() { return nullptr; }
+
 private:
   vtkRidgesAndUmbilics(const vtkRidgesAndUmbilics&) = delete;
   void operator=(const vtkRidgesAndUmbilics&) = delete;
+
+  int RequestSharedData(ridges::Ranks&, vtkInformationVector**, vtkInformationVector*);
 
   class vtkInternals;
   vtkInternals* const Internals;

@@ -14,13 +14,13 @@
 #include "vtkRidgesJetSelection.h"
 #include "vtkRidgesMesh.h"
 #include "vtkRidgesMongeOutput.h"
+#include "vtkRidgesPiece.h"
 #include "vtkRidgesSharedInput.h"
 #include "vtkRidgesSharedRows.h"
 #include "vtkRidgesUmbilicMarks.h"
 
 #include "vtkCellArray.h"
 #include "vtkDoubleArray.h"
-#include "vtkIdTypeArray.h"
 #include "vtkInformationVector.h"
 #include "vtkIntArray.h"
 #include "vtkNew.h"
@@ -108,26 +108,11 @@ bool SharedFit::Take(vtkInformationVector* input)
   {
     return false;
   }
-  const ridges::TriangleMesh& triangles = this->Piece.GetTriangles();
   this->Faults.triangulatedCells = this->Piece.GetNumberOfTriangulatedCells();
   this->Faults.unusableTriangles = this->Piece.GetNumberOfUnusableTriangles();
-
-  ridges::MeshPiece view;
-  view.numberOfPoints = triangles.NumberOfPoints();
-  view.points = view.numberOfPoints > 0 ? triangles.Point(0).data() : nullptr;
-  view.triangles = triangles.Triangles();
-  std::vector<std::int64_t> ids;
-  vtkDataArray* globalIds = this->Piece.GetPolyData()->GetPointData()->GetGlobalIds();
-  if (globalIds && globalIds->GetNumberOfTuples() == view.numberOfPoints)
-  {
-    for (Id p = 0; p < view.numberOfPoints; ++p)
-    {
-      ids.push_back(static_cast<std::int64_t>(globalIds->GetTuple1(p)));
-    }
-    view.globalIds = ids.data();
-  }
   // Found out together: all ranks have the same text.
-  return vtkRidgesAgree(this->Filter, this->Ranks, this->Shared.Share(this->Ranks, view));
+  return vtkRidgesAgree(this->Filter, this->Ranks, 
+    this->Shared.Share(this->Ranks, vtkRidgesPiece(this->Piece).GetView()));
 }
 
 bool SharedFit::Choose(vtkRidgesFitPoints::Settings& settings)

@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkRidges contributors
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkPRidgesAndUmbilics
+ * @brief   vtkRidgesAndUmbilics of a mesh whose pieces are on several ranks
+ *
+ * Input: on each rank a piece of one triangle mesh, as for vtkPJetFitting.
+ *
+ * Output: on rank 0 all ridges (port 0) and umbilics (port 1), on each rank its piece (port 2) with
+ * the arrays that vtkRidgesAndUmbilics gives the mesh. Ids of points and triangles in ports 0 and 1,
+ * and in field data, are those of the whole mesh: pieces have them as the point array
+ * GatheredPointId and the cell array GatheredCellId, which is -1 where a cell is no triangle.
+ *
+ * Guarantee: the same points, types, umbilics and arrays, byte for byte, as those of
+ * vtkRidgesAndUmbilics for the whole mesh on one rank, but for ids, for any number of ranks and any
+ * partition.
+ *
+ * Jets, which take most of the time, are fitted on all ranks (vtkPJetFitting). Then rank 0 gets the
+ * whole mesh with the forms, and finds umbilics and ridges alone: it needs about as much memory as
+ * it would without the others.
+ *
+ * Errors are the same on all ranks; warnings come from rank 0. With one rank it is
+ * vtkRidgesAndUmbilics.
+ * @sa vtkRidgesAndUmbilics vtkPJetFitting
+ */
+
+#ifndef vtkPRidgesAndUmbilics_h
+#define vtkPRidgesAndUmbilics_h
+
+#include "vtkFiltersParallelRidgesModule.h" // For export macro
+#include "vtkRidgesAndUmbilics.h"
+
+VTK_ABI_NAMESPACE_BEGIN
+class vtkMultiProcessController;
+
+class VTKFILTERSPARALLELRIDGES_EXPORT vtkPRidgesAndUmbilics : public vtkRidgesAndUmbilics
+{
+public:
+  static vtkPRidgesAndUmbilics* New();
+  vtkTypeMacro(vtkPRidgesAndUmbilics, vtkRidgesAndUmbilics);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * The ranks. Default: those of vtkMultiProcessController::GetGlobalController, as the filter is
+   * made; if there is none, one rank.
+   */
+  virtual void SetController(vtkMultiProcessController* controller);
+  vtkGetObjectMacro(Controller, vtkMultiProcessController);
+  ///@}
+
+protected:
+  vtkPRidgesAndUmbilics();
+  ~vtkPRidgesAndUmbilics() override;
+
+  ridges::Ranks* GetRanks() override;
+
+private:
+  vtkPRidgesAndUmbilics(const vtkPRidgesAndUmbilics&) = delete;
+  void operator=(const vtkPRidgesAndUmbilics&) = delete;
+
+  vtkMultiProcessController* Controller = nullptr;
+  ridges::Ranks* const Ranks;
+};
+VTK_ABI_NAMESPACE_END
+
+#endif

@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkRidges contributors
+// SPDX-License-Identifier: BSD-3-Clause
+#ifndef vtkRidgesGathering_h
+#define vtkRidgesGathering_h
+
+#include "Core/Shares/SharedPoints.h"
+#include "vtkRidgesMesh.h"
+
+#include "vtkSmartPointer.h"
+
+#include <vector>
+
+VTK_ABI_NAMESPACE_BEGIN
+class vtkPolyData;
+VTK_ABI_NAMESPACE_END
+
+/**
+ * A mesh that ranks have in pieces, made one on the first of them, and what was found there, given
+ * back to the pieces. Private to the module. All ranks have to call each function.
+ */
+class vtkRidgesGathering
+{
+public:
+  /// Numbers of the points and cells of the gathered mesh, on the pieces; -1: not in it.
+  static constexpr const char* PointNumber = "GatheredPointId";
+  static constexpr const char* CellNumber = "GatheredCellId";
+
+  /// On rank 0 the mesh with the triangles of all pieces, the arrays of their points, and the field
+  /// data of its own piece; elsewhere null. Pieces are outputs of vtkJetFitting.
+  vtkSmartPointer<vtkPolyData> Gather(ridges::Ranks& ranks, vtkPolyData* piece);
+
+  /// The piece with the cell arrays that `whole`, on rank 0, has more than the gathered mesh had,
+  /// and its field data. Cells that were not gathered have -1.
+  void GiveBack(ridges::Ranks& ranks, vtkPolyData* whole, vtkPolyData* output);
+
+private:
+  void Pack(ridges::Bytes& message) const;
+  vtkSmartPointer<vtkPolyData> Join(const std::vector<ridges::Bytes>& messages) const;
+
+  vtkRidgesMesh Piece;
+  ridges::SharedPoints Points;
+  std::vector<vtkIdType> First; ///< Triangle of each rank, and how many there are.
+};
+
+#endif
