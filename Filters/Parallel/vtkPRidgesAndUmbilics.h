@@ -7,8 +7,8 @@
  * Input: on each rank a piece of one triangle mesh, as for vtkPJetFitting.
  *
  * Output: on rank 0 all ridges (port 0) and umbilics (port 1), on each rank its piece (port 2) with
- * the arrays that vtkRidgesAndUmbilics gives the mesh. Ids of points and triangles in ports 0 and 1,
- * and in field data, are those of the whole mesh: pieces have them as the point array
+ * the arrays that vtkRidgesAndUmbilics gives the mesh. Ids of points and triangles in ports 0 and
+ * 1, and in field data, are those of the whole mesh: pieces have them as the point array
  * GatheredPointId and the cell array GatheredCellId, which is -1 where a cell is no triangle.
  *
  * Guarantee: the same points, types, umbilics and arrays, byte for byte, as those of

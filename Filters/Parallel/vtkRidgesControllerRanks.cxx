@@ -107,8 +107,7 @@ std::vector<ridges::Bytes> vtkRidgesControllerRanks::GatherAll(ridges::Bytes mes
   // One more, so that there is an address.
   ridges::Bytes all(total + 1);
   message.resize(message.size() + 1);
-  this->Controller->AllGatherV(
-    message.data(), all.data(), size, sizes.data(), offsets.data());
+  this->Controller->AllGatherV(message.data(), all.data(), size, sizes.data(), offsets.data());
   std::vector<ridges::Bytes> received;
   for (int rank = 0; rank < count; ++rank)
   {

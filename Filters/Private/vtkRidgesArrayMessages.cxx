@@ -56,7 +56,8 @@ void PackNumbers(ridges::Bytes& message, vtkDataArray* numbers)
   ridges::Pack(message, values);
 }
 
-vtkSmartPointer<vtkAbstractArray> TakeStrings(ridges::Unpacker& message, vtkIdType tuples, int width)
+vtkSmartPointer<vtkAbstractArray> TakeStrings(
+  ridges::Unpacker& message, vtkIdType tuples, int width)
 {
   auto strings = vtkSmartPointer<vtkStringArray>::New();
   strings->SetNumberOfComponents(width);

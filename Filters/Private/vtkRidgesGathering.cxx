@@ -25,8 +25,8 @@ using ridges::Id;
 vtkSmartPointer<vtkPolyData> vtkRidgesGathering::Gather(ridges::Ranks& ranks, vtkPolyData* piece)
 {
   // The fit has found nothing wrong.
-  this->Piece.Build(piece, {}, ridges::TriangleMesh::Edges::NotBuilt,
-    vtkRidgesMesh::Duplicates::LeftOut);
+  this->Piece.Build(
+    piece, {}, ridges::TriangleMesh::Edges::NotBuilt, vtkRidgesMesh::Duplicates::LeftOut);
   const ridges::TriangleMesh& mesh = this->Piece.GetTriangles();
   this->Points.Share(ranks, vtkRidgesPiece(this->Piece).GetView());
   this->First = { 0 };

@@ -111,7 +111,7 @@ bool SharedFit::Take(vtkInformationVector* input)
   this->Faults.triangulatedCells = this->Piece.GetNumberOfTriangulatedCells();
   this->Faults.unusableTriangles = this->Piece.GetNumberOfUnusableTriangles();
   // Found out together: all ranks have the same text.
-  return vtkRidgesAgree(this->Filter, this->Ranks, 
+  return vtkRidgesAgree(this->Filter, this->Ranks,
     this->Shared.Share(this->Ranks, vtkRidgesPiece(this->Piece).GetView()));
 }
 

@@ -89,8 +89,7 @@ std::vector<NamedMesh> SmallMeshes()
   { return 0.4 * x * x - 0.3 * y * y + 0.3 * x * x * x + 0.2 * x * y * y; };
   return { { "ellipsoid", EllipsoidMesh(16, 1.0, 0.8, 0.6) },
     { "noisy ellipsoid", AddNormalNoise(EllipsoidMesh(20, 1.0, 0.8, 0.6), 0.002, 5) },
-    { "blend", ToMesh(BlendData(14)) },
-    { "torus", TorusMesh(1.0, 0.4, 60, 30) },
+    { "blend", ToMesh(BlendData(14)) }, { "torus", TorusMesh(1.0, 0.4, 60, 30) },
     { "open patch", AddNormalNoise(GraphPatch(height, 1.0, 30, 0.2), 0.0005, 3) },
     { "two components", two } };
 }

@@ -1,0 +1,261 @@
+// SPDX-FileCopyrightText: Copyright (c) vtkRidges contributors
+// SPDX-License-Identifier: BSD-3-Clause
+// Ridges and umbilics on any number of ranks against those of one: byte for byte, but for ids of
+// points and triangles, which are compared by the names that these have in the whole mesh.
+
+#include "FilterTestTools.h"
+#include "MessageRecorder.h"
+#include "ParallelTestTools.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkIdTypeArray.h"
+#include "vtkMultiProcessController.h"
+#include "vtkNew.h"
+#include "vtkPRidgesAndUmbilics.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
+#include "vtkRidgesArrayNames.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <numeric>
+#include <string>
+#include <vector>
+
+using namespace ridges::testing;
+namespace names = vtkRidgesArrayNames;
+
+namespace
+{
+
+struct Expected
+{
+  vtkSmartPointer<vtkPolyData> ridges;
+  vtkSmartPointer<vtkPolyData> umbilics;
+  vtkSmartPointer<vtkPolyData> mesh;
+};
+
+Expected OnOneRank(const Mesh& mesh)
+{
+  vtkNew<vtkRidgesAndUmbilics> serial;
+  const MessageRecorder recorder(serial);
+  const auto output = [&serial, &mesh](int port)
+  {
+    return FromFirstRank(
+      [&serial, &mesh, port]
+      {
+        if (!serial->GetInput())
+        {
+          serial->SetInputData(ToPolyData(mesh));
+        }
+        serial->Update();
+        vtkSmartPointer<vtkPolyData> result = serial->GetOutput(port);
+        return result;
+      });
+  };
+  return { output(vtkRidgesAndUmbilics::RIDGES), output(vtkRidgesAndUmbilics::UMBILICS),
+    output(vtkRidgesAndUmbilics::MESH) };
+}
+
+/// On rank 0 the names in the whole mesh, by the numbers that pieces have; -1 is of nothing.
+std::vector<vtkIdType> Names(vtkDataArray* numbers, const std::vector<std::int32_t>& names)
+{
+  vtkNew<vtkIdTypeArray> own;
+  own->SetNumberOfComponents(2);
+  for (std::size_t i = 0; i < names.size(); ++i)
+  {
+    own->InsertNextTuple2(numbers->GetTuple1(static_cast<vtkIdType>(i)), names[i]);
+  }
+  vtkNew<vtkIdTypeArray> all;
+  Controller()->GatherV(own, all, 0);
+  std::vector<vtkIdType> found;
+  for (vtkIdType i = 0; i < all->GetNumberOfTuples(); ++i)
+  {
+    const auto number = static_cast<std::size_t>(all->GetComponent(i, 0));
+    found.resize(std::max(found.size(), number + 1), -1);
+    found[number] = static_cast<vtkIdType>(all->GetComponent(i, 1));
+  }
+  return found;
+}
+
+std::vector<std::int32_t> AllOf(vtkIdType count)
+{
+  std::vector<std::int32_t> ids(static_cast<std::size_t>(count));
+  std::iota(ids.begin(), ids.end(), 0);
+  return ids;
+}
+
+vtkSmartPointer<vtkPolyData> Without(vtkPolyData* data, const std::vector<const char*>& arrayNames)
+{
+  auto copy = vtkSmartPointer<vtkPolyData>::New();
+  copy->ShallowCopy(data);
+  for (const char* name : arrayNames)
+  {
+    copy->GetPointData()->RemoveArray(name);
+    copy->GetFieldData()->RemoveArray(name);
+  }
+  return copy;
+}
+
+std::string BytesOfPointsAndLines(vtkPolyData* data)
+{
+  vtkNew<vtkPolyData> bare;
+  bare->SetPoints(data->GetPoints());
+  bare->SetVerts(data->GetVerts());
+  bare->SetLines(data->GetLines());
+  return BytesOf(bare);
+}
+
+void ExpectTheSameData(vtkPolyData* expected, vtkPolyData* actual)
+{
+  ASSERT_EQ(actual->GetNumberOfPoints(), expected->GetNumberOfPoints());
+  ASSERT_EQ(actual->GetNumberOfCells(), expected->GetNumberOfCells());
+  EXPECT_TRUE(BytesOfPointsAndLines(actual) == BytesOfPointsAndLines(expected));
+  EXPECT_EQ(FirstOtherRow(expected->GetPointData(), actual->GetPointData(),
+              AllOf(expected->GetNumberOfPoints())),
+    "");
+  EXPECT_EQ(FirstOtherRow(
+              expected->GetCellData(), actual->GetCellData(), AllOf(expected->GetNumberOfCells())),
+    "");
+}
+
+/// Each crossing on the same edge, at the same place on it: from one of its ends or, where the ends
+/// come in the other order, from the other one.
+void ExpectTheSameEdges(
+  vtkPolyData* expected, vtkPolyData* actual, const std::vector<vtkIdType>& pointNames)
+{
+  const auto idAt = [](vtkPolyData* ridges, const char* name, vtkIdType i)
+  { return static_cast<vtkIdType>(Value(ridges->GetPointData(), name, i)); };
+  const auto nameAt = [&pointNames, &idAt, actual](const char* name, vtkIdType i)
+  {
+    const vtkIdType id = idAt(actual, name, i);
+    return id < 0 ? id : pointNames.at(static_cast<std::size_t>(id));
+  };
+  for (vtkIdType i = 0; i < expected->GetNumberOfPoints(); ++i)
+  {
+    const vtkIdType p = idAt(expected, names::EdgePoint0, i);
+    const vtkIdType q = idAt(expected, names::EdgePoint1, i);
+    const double x = Value(expected->GetPointData(), names::EdgeParameter, i);
+    const double y = Value(actual->GetPointData(), names::EdgeParameter, i);
+    const bool isTurned = p != q && nameAt(names::EdgePoint0, i) == q;
+    ASSERT_EQ(nameAt(names::EdgePoint0, i), isTurned ? q : p) << i;
+    ASSERT_EQ(nameAt(names::EdgePoint1, i), isTurned ? p : q) << i;
+    ASSERT_TRUE(isTurned ? x == 1.0 - y || y == 1.0 - x : x == y) << i << ": " << x << ", " << y;
+  }
+}
+
+void ExpectTheSame(const Expected& expected, const NamedMesh& named, Partition partition)
+{
+  SCOPED_TRACE(
+    std::string(named.name) + ", partition " + std::to_string(static_cast<int>(partition)));
+  const RankPiece own = PieceOfRank(named.mesh, partition);
+  vtkNew<vtkPRidgesAndUmbilics> parallel;
+  const MessageRecorder recorder(parallel);
+  parallel->SetInputData(own.data);
+  parallel->Update();
+  ASSERT_EQ(recorder.ErrorText(), "");
+  vtkPolyData* mesh = parallel->GetOutput(vtkRidgesAndUmbilics::MESH);
+  EXPECT_EQ(
+    FirstOtherRow(expected.mesh->GetPointData(), mesh->GetPointData(), own.piece.points), "");
+  EXPECT_EQ(
+    FirstOtherRow(expected.mesh->GetCellData(), mesh->GetCellData(), own.piece.triangles), "");
+  const auto bare = Without(expected.mesh, { names::UmbilicTriangle });
+  for (int i = 0; i < bare->GetFieldData()->GetNumberOfArrays(); ++i)
+  {
+    vtkDataArray* array = bare->GetFieldData()->GetArray(i);
+    if (array)
+    {
+      vtkNew<vtkFieldData> one;
+      one->AddArray(array);
+      EXPECT_EQ(FirstOtherRow(one, mesh->GetFieldData(), AllOf(array->GetNumberOfTuples())), "");
+    }
+  }
+
+  const bool isSerial = Controller()->GetNumberOfProcesses() == 1;
+  const auto numbers = [mesh, isSerial](vtkFieldData* data, const char* name)
+  {
+    vtkSmartPointer<vtkDataArray> array = data->GetArray(name);
+    if (isSerial)
+    {
+      vtkNew<vtkIdTypeArray> all;
+      for (vtkIdType i = 0; i < mesh->GetNumberOfPoints() + mesh->GetNumberOfCells(); ++i)
+      {
+        all->InsertNextValue(i);
+      }
+      array = all;
+    }
+    return array;
+  };
+  const auto pointNames = Names(numbers(mesh->GetPointData(), "GatheredPointId"), own.piece.points);
+  const auto cellNames = Names(numbers(mesh->GetCellData(), "GatheredCellId"), own.piece.triangles);
+  vtkPolyData* ridges = parallel->GetOutput(vtkRidgesAndUmbilics::RIDGES);
+  vtkPolyData* umbilics = parallel->GetOutput(vtkRidgesAndUmbilics::UMBILICS);
+  if (Controller()->GetLocalProcessId() > 0)
+  {
+    EXPECT_TRUE(IsEmpty(ridges));
+    EXPECT_TRUE(IsEmpty(umbilics));
+    return;
+  }
+  const std::vector<const char*> edges = { names::EdgePoint0, names::EdgePoint1,
+    names::EdgeParameter };
+  ExpectTheSameData(Without(expected.ridges, edges), Without(ridges, edges));
+  ExpectTheSameEdges(expected.ridges, ridges, pointNames);
+  ExpectTheSameData(
+    Without(expected.umbilics, { names::Triangle }), Without(umbilics, { names::Triangle }));
+  for (vtkIdType i = 0; i < umbilics->GetNumberOfPoints(); ++i)
+  {
+    const auto triangle =
+      static_cast<std::size_t>(Value(umbilics->GetPointData(), names::Triangle, i));
+    EXPECT_EQ(cellNames.at(triangle), Value(expected.umbilics->GetPointData(), names::Triangle, i));
+  }
+}
+
+} // namespace
+
+TEST(PRidgesAndUmbilics, GivesTheBytesOfOneRank)
+{
+  for (const NamedMesh& named : SmallMeshes())
+  {
+    const Expected expected = OnOneRank(named.mesh);
+    for (const Partition partition : AllPartitions)
+    {
+      ExpectTheSame(expected, named, partition);
+    }
+  }
+}
+
+// Only what has changed is done again, on all ranks together.
+TEST(PRidgesAndUmbilics, RunsAgainWhereOneRankHasToFitAnew)
+{
+  const NamedMesh named = SmallMeshes().front();
+  const RankPiece own = PieceOfRank(named.mesh, Partition::Blocks);
+  vtkNew<vtkPRidgesAndUmbilics> parallel;
+  parallel->SetInputData(own.data);
+  parallel->Update();
+  const auto countOf = [&parallel]
+  {
+    vtkIdType count = parallel->GetOutput()->GetNumberOfLines();
+    Controller()->Broadcast(&count, 1, 0);
+    return count;
+  };
+  const vtkIdType all = countOf();
+  EXPECT_GT(all, 0);
+  parallel->SetMaximumNumber(1);
+  parallel->SetWholeRidges(false);
+  parallel->Update();
+  EXPECT_EQ(countOf(), 1);
+  parallel->SetMaximumNumber(0);
+  own.data->Modified();
+  if (Controller()->GetLocalProcessId() == 0)
+  {
+    vtkNew<vtkPolyData> copy;
+    copy->ShallowCopy(own.data);
+    parallel->SetInputData(copy);
+  }
+  parallel->Update();
+  EXPECT_EQ(countOf(), all);
+}
