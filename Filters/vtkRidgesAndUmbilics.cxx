@@ -305,7 +305,7 @@ int vtkRidgesAndUmbilics::RequestSharedData(
   ridges::Ranks& ranks, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   std::string faults;
-  vtkPolyData* input = vtkRidgesGetPiece(inputVector[0], faults);
+  vtkPolyData* input = vtkRidgesGetPiece(ranks, inputVector[0], faults);
   if (!vtkRidgesAgree(this, ranks, faults))
   {
     return 0;

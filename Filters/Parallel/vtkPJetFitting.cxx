@@ -3,29 +3,46 @@
 #include "vtkPJetFitting.h"
 
 #include "vtkRidgesControllerRanks.h"
+#include "vtkRidgesRanksPipeline.h"
 
+#include "vtkInformation.h"
 #include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
 
 vtkStandardNewMacro(vtkPJetFitting);
 
-vtkCxxSetObjectMacro(vtkPJetFitting, Controller, vtkMultiProcessController);
+int vtkPJetFitting::FillInputPortInformation(int port, vtkInformation* info)
+{
+  // So that the filter runs where it is missing, and says so.
+  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  return this->Superclass::FillInputPortInformation(port, info);
+}
+
+vtkExecutive* vtkPJetFitting::CreateDefaultExecutive()
+{
+  return vtkRidgesRanksPipeline::New();
+}
 
 vtkPJetFitting::vtkPJetFitting()
-  : Ranks(new vtkRidgesControllerRanks)
+  : Ranks(new vtkRidgesControllerRanks(this))
 {
   this->SetController(vtkMultiProcessController::GetGlobalController());
 }
 
 vtkPJetFitting::~vtkPJetFitting()
 {
-  this->SetController(nullptr);
+  vtkSetObjectBodyMacro(Controller, vtkMultiProcessController, nullptr);
   delete this->Ranks;
+}
+
+void vtkPJetFitting::SetController(vtkMultiProcessController* controller)
+{
+  vtkSetObjectBodyMacro(Controller, vtkMultiProcessController, controller);
+  static_cast<vtkRidgesControllerRanks*>(this->Ranks)->SetController(controller);
 }
 
 ridges::Ranks* vtkPJetFitting::GetRanks()
 {
-  static_cast<vtkRidgesControllerRanks*>(this->Ranks)->SetController(this->Controller);
   return this->Ranks;
 }
 

@@ -53,6 +53,8 @@ protected:
   vtkPJetFitting();
   ~vtkPJetFitting() override;
 
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  vtkExecutive* CreateDefaultExecutive() override;
   ridges::Ranks* GetRanks() override;
 
 private:

@@ -3,29 +3,46 @@
 #include "vtkPRidgesAndUmbilics.h"
 
 #include "vtkRidgesControllerRanks.h"
+#include "vtkRidgesRanksPipeline.h"
 
+#include "vtkInformation.h"
 #include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
 
 vtkStandardNewMacro(vtkPRidgesAndUmbilics);
 
-vtkCxxSetObjectMacro(vtkPRidgesAndUmbilics, Controller, vtkMultiProcessController);
+int vtkPRidgesAndUmbilics::FillInputPortInformation(int port, vtkInformation* info)
+{
+  // So that the filter runs where it is missing, and says so.
+  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
+  return this->Superclass::FillInputPortInformation(port, info);
+}
+
+vtkExecutive* vtkPRidgesAndUmbilics::CreateDefaultExecutive()
+{
+  return vtkRidgesRanksPipeline::New();
+}
 
 vtkPRidgesAndUmbilics::vtkPRidgesAndUmbilics()
-  : Ranks(new vtkRidgesControllerRanks)
+  : Ranks(new vtkRidgesControllerRanks(this))
 {
   this->SetController(vtkMultiProcessController::GetGlobalController());
 }
 
 vtkPRidgesAndUmbilics::~vtkPRidgesAndUmbilics()
 {
-  this->SetController(nullptr);
+  vtkSetObjectBodyMacro(Controller, vtkMultiProcessController, nullptr);
   delete this->Ranks;
+}
+
+void vtkPRidgesAndUmbilics::SetController(vtkMultiProcessController* controller)
+{
+  vtkSetObjectBodyMacro(Controller, vtkMultiProcessController, controller);
+  static_cast<vtkRidgesControllerRanks*>(this->Ranks)->SetController(controller);
 }
 
 ridges::Ranks* vtkPRidgesAndUmbilics::GetRanks()
 {
-  static_cast<vtkRidgesControllerRanks*>(this->Ranks)->SetController(this->Controller);
   return this->Ranks;
 }
 

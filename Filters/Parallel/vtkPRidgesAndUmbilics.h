@@ -53,6 +53,8 @@ protected:
   vtkPRidgesAndUmbilics();
   ~vtkPRidgesAndUmbilics() override;
 
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  vtkExecutive* CreateDefaultExecutive() override;
   ridges::Ranks* GetRanks() override;
 
 private:

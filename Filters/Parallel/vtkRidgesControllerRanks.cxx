@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRidgesControllerRanks.h"
 
+#include "vtkRidgesRanksPipeline.h"
+
+#include "vtkAlgorithm.h"
 #include "vtkMultiProcessController.h"
 #include "vtkType.h"
 
@@ -19,6 +22,22 @@ constexpr int Tag = 20051;
 constexpr std::size_t LargestPart = std::size_t(1) << 30;
 
 } // namespace
+
+void vtkRidgesControllerRanks::SetController(vtkMultiProcessController* controller)
+{
+  this->Controller = controller;
+  auto* pipeline = vtkRidgesRanksPipeline::SafeDownCast(this->Filter->GetExecutive());
+  if (pipeline)
+  {
+    pipeline->SetIsShared(this->Size() > 1);
+  }
+}
+
+std::string vtkRidgesControllerRanks::Fault() const
+{
+  auto* pipeline = vtkRidgesRanksPipeline::SafeDownCast(this->Filter->GetExecutive());
+  return pipeline ? pipeline->GetFault() : "";
+}
 
 int vtkRidgesControllerRanks::Rank() const
 {

@@ -10,14 +10,23 @@ VTK_ABI_NAMESPACE_BEGIN
 class vtkMultiProcessController;
 VTK_ABI_NAMESPACE_END
 
-/// The processes of a controller, for the numerics. Private to the module.
+/// The processes of a controller, for the numerics, and what a filter needs to run on all of them.
+/// Private to the module.
 class vtkRidgesControllerRanks : public ridges::Ranks
 {
 public:
-  void SetController(vtkMultiProcessController* controller) { this->Controller = controller; }
+  /// The pipeline of the filter is a vtkRidgesRanksPipeline.
+  explicit vtkRidgesControllerRanks(vtkAlgorithm* filter)
+    : Filter(filter)
+  {
+  }
+
+  /// Who calls this keeps the controller.
+  void SetController(vtkMultiProcessController* controller);
 
   int Rank() const override;
   int Size() const override;
+  std::string Fault() const override;
   std::vector<ridges::Bytes> Exchange(std::vector<ridges::Bytes> messages) override;
   std::vector<ridges::Bytes> GatherAll(ridges::Bytes message) override;
 
@@ -25,6 +34,7 @@ private:
   void Send(const ridges::Bytes& message, int rank);
   void Receive(ridges::Bytes& message, int rank);
 
+  vtkAlgorithm* Filter;
   vtkMultiProcessController* Controller = nullptr;
 };
 

@@ -94,7 +94,7 @@ private:
 bool SharedFit::Take(vtkInformationVector* input)
 {
   std::string faults;
-  vtkPolyData* piece = vtkRidgesGetPiece(input, faults);
+  vtkPolyData* piece = vtkRidgesGetPiece(this->Ranks, input, faults);
   if (piece)
   {
     faults = vtkRidgesFitSettingsFault(this->Filter);

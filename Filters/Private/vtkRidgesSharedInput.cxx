@@ -80,15 +80,18 @@ std::string Difference(ridges::Ranks& ranks, const std::string& text, bool hasSa
 
 } // namespace
 
-vtkPolyData* vtkRidgesGetPiece(vtkInformationVector* input, std::string& faults)
+vtkPolyData* vtkRidgesGetPiece(
+  const ridges::Ranks& ranks, vtkInformationVector* input, std::string& faults)
 {
-  vtkDataObject* object = vtkDataObject::GetData(input);
+  faults = ranks.Fault();
+  vtkDataObject* object = input->GetNumberOfInformationObjects() > 0 && faults.empty()
+    ? vtkDataObject::GetData(input)
+    : nullptr;
   auto* piece = vtkPolyData::SafeDownCast(object);
-  if (!piece)
+  if (!piece && faults.empty())
   {
-    faults = object
-      ? "the piece is a " + std::string(object->GetClassName()) + ", not a vtkPolyData"
-      : "there is no piece";
+    faults = object ? "the piece is a " + std::string(object->GetClassName()) + ", not a vtkPolyData"
+                    : "there is no piece";
   }
   return piece;
 }

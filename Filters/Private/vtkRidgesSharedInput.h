@@ -16,9 +16,9 @@ VTK_ABI_NAMESPACE_END
 // What ranks agree on before they work on a mesh together, private to the module. All have to call
 // these.
 
-/// The piece of this rank, empty where there is none; null if it is of another type, which
-/// `faults` then says.
-vtkPolyData* vtkRidgesGetPiece(vtkInformationVector* input, std::string& faults);
+/// The piece of this rank. Null if it is missing or of another type, which `faults` then says.
+vtkPolyData* vtkRidgesGetPiece(
+  const ridges::Ranks& ranks, vtkInformationVector* input, std::string& faults);
 
 /// Whether all ranks go on. If one has a fault, or they differ in the properties of the filter or
 /// in the names and types of their arrays, all of them have an error, which names the ranks.

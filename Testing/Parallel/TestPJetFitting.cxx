@@ -76,17 +76,12 @@ void ExpectTheSameJets(
 
 } // namespace
 
+// The automatic choice on other meshes and partitions is tested with the ridges.
 TEST(PJetFitting, GivesTheBytesOfOneRank)
 {
   const Properties none = [](vtkJetFitting*) {};
-  for (const NamedMesh& named : SmallMeshes())
-  {
-    const Expected expected = OnOneRank(named.mesh, none);
-    for (const Partition partition : AllPartitions)
-    {
-      ExpectTheSameJets(expected, named, partition, none);
-    }
-  }
+  const NamedMesh named = SmallMeshes()[1];
+  ExpectTheSameJets(OnOneRank(named.mesh, none), named, Partition::Random, none);
 }
 
 TEST(PJetFitting, GivesTheBytesOfOneRankInAnyNeighborhood)

@@ -3,6 +3,7 @@
 #ifndef ridges_Ranks_h
 #define ridges_Ranks_h
 
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -22,6 +23,9 @@ public:
 
   virtual int Rank() const = 0;
   virtual int Size() const = 0;
+
+  /// What keeps this rank from having its piece of the mesh; empty if nothing does.
+  virtual std::string Fault() const { return {}; }
 
   /// Sends a message to each rank, this one included; what they sent to this one, in their order.
   virtual std::vector<Bytes> Exchange(std::vector<Bytes> messages) = 0;
