@@ -12,6 +12,17 @@ std::string vtkRidgesRanksPipeline::GetFault() const
   return this->HasFailed ? "what makes the piece has failed" : "";
 }
 
+/// When what makes the piece was last changed.
+vtkMTimeType vtkRidgesRanksPipeline::TimeOfSource()
+{
+  if (this->GetNumberOfInputConnections(0) == 0)
+  {
+    return 0;
+  }
+  auto* source = vtkDemandDrivenPipeline::SafeDownCast(this->GetInputExecutive(0, 0));
+  return source ? source->GetPipelineMTime() : 0;
+}
+
 int vtkRidgesRanksPipeline::ForwardUpstream(vtkInformation* request)
 {
   const int isDone = this->Superclass::ForwardUpstream(request);
@@ -23,9 +34,9 @@ int vtkRidgesRanksPipeline::ForwardUpstream(vtkInformation* request)
   if (isDone == 0)
   {
     this->HasFailed = true;
-    this->FailedTime = this->PipelineMTime;
+    this->FailedTime = this->TimeOfSource();
   }
-  else if (this->PipelineMTime != this->FailedTime)
+  else if (this->TimeOfSource() != this->FailedTime)
   {
     this->HasFailed = false;
   }

@@ -36,9 +36,11 @@ private:
   using Superclass::ForwardUpstream;
   using Superclass::InputTypeIsValid;
 
+  vtkMTimeType TimeOfSource();
+
   bool IsShared = false;
   bool HasFailed = false;
-  vtkMTimeType FailedTime = 0; ///< Of all that is upstream, as it failed.
+  vtkMTimeType FailedTime = 0; ///< TimeOfSource, as it failed.
 };
 VTK_ABI_NAMESPACE_END
 
