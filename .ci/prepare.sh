@@ -28,7 +28,7 @@ for part in "$@"; do
       options+=(-DRIDGES_BUILD_PYTHON=ON)
       ;;
     testing)
-      packages+=(libcgal-demo libcgal-dev libgtest-dev)
+      packages+=(libcgal-demo libcgal-dev libgtest-dev openmpi-bin)
       options+=(-DBUILD_TESTING=ON)
       ;;
     benchmarks)

@@ -164,7 +164,7 @@ for name in {names}:
         with Messages() as messages:
             ridges = fetch(whole)
         self.assertGreater(ridges.GetNumberOfLines(), 0)
-        said = [line for line in messages.lines_of("vtkRidgesAndUmbilics") if "triangulated" in line]
+        said = [line for line in messages.lines_of("vtkPRidgesAndUmbilics") if "triangulated" in line]
         self.assertEqual(len(said), 1, messages.text)
 
     def test_progress_reaches_the_session(self):
@@ -274,10 +274,10 @@ class TestBadInput(unittest.TestCase):
             simple.RidgesAndUmbilics(Input=line).UpdatePipeline()
             simple.JetFitting(Input=line).UpdatePipeline()
         self.assertEqual(
-            messages.lines_of("vtkRidgesAndUmbilics"),
+            messages.lines_of("vtkPRidgesAndUmbilics"),
             ["The input has points, but no triangles: give the mesh of a surface."],
         )
-        self.assertIn("have no fit", "".join(messages.lines_of("vtkJetFitting")))
+        self.assertIn("have no fit", "".join(messages.lines_of("vtkPJetFitting")))
 
     def test_radius_that_is_not_set(self):
         for name in ("JetFitting", "RidgesAndUmbilics"):

@@ -23,6 +23,12 @@ NOT_FORWARDED = {
     "SetFindPurplePoints",
 }
 
+# Those that run on all ranks of a server; with one rank they are the classes.
+OF_RANKS = {
+    "vtkPJetFitting": "vtkJetFitting",
+    "vtkPRidgesAndUmbilics": "vtkRidgesAndUmbilics",
+}
+
 
 def elements():
     """The proxies of all files."""
@@ -32,7 +38,8 @@ def elements():
 
 def proxies():
     """Name of the class -> its element; without what proxies have in common, which has no class."""
-    return {proxy.get("class"): proxy for proxy in elements() if proxy.get("class")}
+    names = ((proxy.get("class"), proxy) for proxy in elements())
+    return {OF_RANKS.get(name, name): proxy for name, proxy in names if name}
 
 
 def array_choices():
