@@ -297,6 +297,7 @@ void SharedFit::Store(vtkPolyData* output)
 {
   vtkNew<vtkPointData> values;
   this->Values->AddTo(values);
+  this->Values = nullptr;
   // Without P1 and P2 there are no types to flicker.
   if (this->IsAutomatic && this->Choice.numberOfAverages > 0 && this->Order == 4)
   {
@@ -306,6 +307,7 @@ void SharedFit::Store(vtkPolyData* output)
   {
     this->Choice.numberOfAverages = 0;
   }
+  this->Shared.Release();
   output->ShallowCopy(this->Piece.GetPolyData());
   vtkRidgesMongeOutput(0, this->Order, false).AddTo(output->GetPointData());
   vtkRidgesRowsOfPiece(this->Ranks, this->Shared.Points(), values, output->GetPointData());

@@ -90,8 +90,9 @@ vtkPolyData* vtkRidgesGetPiece(
   auto* piece = vtkPolyData::SafeDownCast(object);
   if (!piece && faults.empty())
   {
-    faults = object ? "the piece is a " + std::string(object->GetClassName()) + ", not a vtkPolyData"
-                    : "there is no piece";
+    faults = object
+      ? "the piece is a " + std::string(object->GetClassName()) + ", not a vtkPolyData"
+      : "there is no piece";
   }
   return piece;
 }

@@ -38,14 +38,15 @@ vtkSmartPointer<vtkDataArray> WithRows(vtkDataArray* array, const Rows& rowsOf)
 template <typename Rows>
 void ForArrays(vtkPointData* from, vtkPointData* to, const Rows& rowsOf)
 {
-  for (int i = 0; i < from->GetNumberOfArrays(); ++i)
+  while (from->GetNumberOfArrays() > 0)
   {
-    auto array = WithRows<vtkDoubleArray>(from->GetArray(i), rowsOf);
+    auto array = WithRows<vtkDoubleArray>(from->GetArray(0), rowsOf);
     if (!array)
     {
-      array = WithRows<vtkIntArray>(from->GetArray(i), rowsOf);
+      array = WithRows<vtkIntArray>(from->GetArray(0), rowsOf);
     }
     to->AddArray(array);
+    from->RemoveArray(0); // as both would be much
   }
   to->SetActiveNormals(vtkRidgesArrayNames::Normals);
 }

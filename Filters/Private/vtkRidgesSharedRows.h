@@ -11,7 +11,8 @@ class vtkPointData;
 VTK_ABI_NAMESPACE_END
 
 // Arrays of the points that each rank owns become arrays of other points: doubles and ints, as the
-// filters make them. Private to the module. All ranks have to call these, with the same arrays.
+// filters make them. Private to the module. The former are removed. All
+// ranks have to call these, with the same arrays.
 
 /// Of the points of each rank's piece.
 void vtkRidgesRowsOfPiece(ridges::Ranks& ranks, const ridges::SharedPoints& points,

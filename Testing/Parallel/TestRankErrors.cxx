@@ -91,7 +91,8 @@ TEST(RankErrors, MissingPiece)
   if (!IsAlone())
   {
     ExpectErrorOnAllRanks([](vtkPolyDataAlgorithm* filter, vtkPolyData*)
-      { filter->SetInputConnection(nullptr); }, OnLastRank("there is no piece"));
+      { filter->SetInputConnection(nullptr); },
+      OnLastRank("there is no piece"));
   }
 }
 
@@ -146,11 +147,11 @@ TEST(RankErrors, OtherArrays)
 {
   if (!IsAlone())
   {
-    ExpectErrorOnAllRanks(
-      [](vtkPolyDataAlgorithm*, vtkPolyData* piece)
+    ExpectErrorOnAllRanks([](vtkPolyDataAlgorithm*, vtkPolyData* piece)
       { AddPointArray(piece, "Extra", 2, [](vtkIdType, double* values) { values[0] = 1.0; }); },
       "the arrays differ between ranks: rank 0 has none; rank " +
-        std::to_string(Controller()->GetNumberOfProcesses() - 1) + " has Extra (points, 2 x double)");
+        std::to_string(Controller()->GetNumberOfProcesses() - 1) +
+        " has Extra (points, 2 x double)");
   }
 }
 
@@ -163,8 +164,8 @@ TEST(RankErrors, OtherProperties)
     jets->SetNumberOfRings(Rank() == 0 ? 3 : 4);
     jets->SetInputData(PieceOfRank(EllipsoidMesh(8, 1.0, 0.8, 0.6), Partition::Blocks).data);
     jets->Update();
-    EXPECT_NE(recorder.ErrorText().find("properties of the filter differ between ranks"),
-      std::string::npos)
+    EXPECT_NE(
+      recorder.ErrorText().find("properties of the filter differ between ranks"), std::string::npos)
       << recorder.ErrorText();
   }
 }
@@ -241,9 +242,10 @@ TEST(RankErrors, PointThatIsNotFinite)
   const MessageRecorder recorder(jets);
   jets->SetInputData(own.data);
   jets->Update();
-  EXPECT_EQ(recorder.WarningText().find("triangles were left out") != std::string::npos, Rank() == 0);
-  EXPECT_EQ(FirstOtherRow(
-              expected->GetPointData(), jets->GetOutput()->GetPointData(), own.piece.points),
+  EXPECT_EQ(
+    recorder.WarningText().find("triangles were left out") != std::string::npos, Rank() == 0);
+  EXPECT_EQ(
+    FirstOtherRow(expected->GetPointData(), jets->GetOutput()->GetPointData(), own.piece.points),
     "");
 }
 

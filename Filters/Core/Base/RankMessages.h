@@ -68,21 +68,23 @@ private:
   std::size_t At_ = 0;
 };
 
-/// Values for each rank; what each rank has for this one.
+/// Values for each rank; what each rank has for this one. Nothing is kept longer than it is needed.
 template <typename T>
-std::vector<std::vector<T>> ExchangeValues(Ranks& ranks, const std::vector<std::vector<T>>& values)
+std::vector<std::vector<T>> ExchangeValues(Ranks& ranks, std::vector<std::vector<T>> values)
 {
   std::vector<Bytes> messages(values.size());
   for (std::size_t rank = 0; rank < values.size(); ++rank)
   {
     Pack(messages[rank], values[rank]);
+    values[rank] = std::vector<T>();
   }
-  std::vector<std::vector<T>> received;
-  for (const Bytes& message : ranks.Exchange(std::move(messages)))
+  messages = ranks.Exchange(std::move(messages));
+  for (std::size_t rank = 0; rank < values.size(); ++rank)
   {
-    received.push_back(Unpacker(message).Take<T>());
+    values[rank] = Unpacker(messages[rank]).Take<T>();
+    messages[rank] = Bytes();
   }
-  return received;
+  return values;
 }
 
 /// The values of all ranks, by rank.

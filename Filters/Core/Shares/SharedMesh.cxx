@@ -3,7 +3,7 @@
 #include "Shares/SharedMesh.h"
 
 #include <algorithm>
-#include <array>
+#include <iterator>
 
 namespace ridges
 {
@@ -29,33 +29,21 @@ MeshPatch TakePatch(const Bytes& bytes)
   return patch;
 }
 
-/// Collects triangles of some points, each point once.
-class PatchBuilder
+/// Points, each once.
+void SortCorners(std::vector<MeshPatch::Corner>& points)
 {
-public:
-  template <typename Corner>
-  Id Add(std::int64_t number, const Triangle& corners, const Corner& cornerOf)
-  {
-    MeshPatch::Cell cell{ number, {} };
-    for (int i = 0; i < 3; ++i)
-    {
-      const auto next = static_cast<Id>(this->patch.points.size());
-      const auto [entry, isNew] = this->Points_.try_emplace(corners[i], next);
-      if (isNew)
-      {
-        this->patch.points.push_back(cornerOf(corners[i]));
-      }
-      cell.corners[i] = entry->second;
-    }
-    this->patch.triangles.push_back(cell);
-    return static_cast<Id>(this->patch.triangles.size()) - 1;
-  }
+  std::sort(points.begin(), points.end(),
+    [](const MeshPatch::Corner& a, const MeshPatch::Corner& b) { return a.number < b.number; });
+  points.erase(
+    std::unique(points.begin(), points.end(),
+      [](const MeshPatch::Corner& a, const MeshPatch::Corner& b) { return a.number == b.number; }),
+    points.end());
+}
 
-  MeshPatch patch;
-
-private:
-  std::unordered_map<Id, Id> Points_;
-};
+MeshPatch::Corner CornerAt(std::int64_t number, const double* x)
+{
+  return { number, { x[0], x[1], x[2] } };
+}
 
 } // namespace
 
@@ -67,7 +55,6 @@ std::string SharedMesh::Share(Ranks& ranks, const MeshPiece& piece)
   {
     return faults;
   }
-  this->Positions_ = this->Points_.Owned();
   this->SendTriangles(ranks, piece);
   this->RankCoincident(ranks);
   return {};
@@ -85,34 +72,65 @@ void SharedMesh::SendTriangles(Ranks& ranks, const MeshPiece& piece)
     this->NumberOfTriangles_ += counts[rank];
   }
   const std::vector<std::int64_t>& numbers = this->Points_.NumbersOfPiece();
-  const auto cornerOf = [&piece, &numbers](Id p)
-  {
-    const double* x = piece.points + 3 * static_cast<std::size_t>(p);
-    return MeshPatch::Corner{ numbers[p], { x[0], x[1], x[2] } };
-  };
-  std::vector<PatchBuilder> builders(ranks.Size());
+  std::vector<MeshPatch> patches(ranks.Size());
   for (Id t = 0; t < piece.triangles.size(); ++t)
   {
+    const Triangle& triangle = piece.triangles[t];
+    MeshPatch::Cell cell{ first + t, {} };
     std::array<int, 3> owners;
-    std::transform(piece.triangles[t].begin(), piece.triangles[t].end(), owners.begin(),
-      [this, &numbers](Id p) { return this->Points_.OwnerOf(numbers[p]); });
-    std::sort(owners.begin(), owners.end());
-    const auto last = std::unique(owners.begin(), owners.end());
-    std::for_each(owners.begin(), last,
-      [&](int owner) { builders[owner].Add(first + t, piece.triangles[t], cornerOf); });
+    for (int i = 0; i < 3; ++i)
+    {
+      cell.corners[i] = numbers[triangle[i]];
+      owners[i] = this->Points_.OwnerOf(cell.corners[i]);
+    }
+    for (int i = 0; i < 3; ++i)
+    {
+      MeshPatch& patch = patches[owners[i]];
+      if (std::find(owners.begin(), owners.begin() + i, owners[i]) == owners.begin() + i)
+      {
+        patch.triangles.push_back(cell);
+      }
+      // Each knows where its own points are.
+      for (int k = 0; k < 3; ++k)
+      {
+        if (owners[k] != owners[i])
+        {
+          patch.points.push_back(
+            CornerAt(cell.corners[k], piece.points + 3 * static_cast<std::size_t>(triangle[k])));
+        }
+      }
+    }
   }
   std::vector<Bytes> messages(ranks.Size());
   for (int rank = 0; rank < ranks.Size(); ++rank)
   {
-    Pack(messages[rank], builders[rank].patch);
-    builders[rank] = {};
+    SortCorners(patches[rank].points);
+    Pack(messages[rank], patches[rank]);
+    patches[rank] = {};
   }
-  for (const Bytes& message : ranks.Exchange(std::move(messages)))
+  messages = ranks.Exchange(std::move(messages));
+  for (Bytes& message : messages)
   {
     this->Take(TakePatch(message));
+    message = {};
   }
-  this->Around_ = TriangleMesh(this->Points_.Owned().data(),
-    static_cast<Id>(this->Positions_.size() / 3), this->Triangles_, TriangleMesh::Edges::NotBuilt);
+  std::vector<Triangle> triangles;
+  triangles.swap(this->Triangles_);
+  this->Around_ = TriangleMesh(
+    this->Points_.Owned().data(), this->NumberOfPoints(), triangles, TriangleMesh::Edges::NotBuilt);
+}
+
+void SharedMesh::Release()
+{
+  this->PositionsOfOthers_ = {};
+  this->NumbersOfOthers_ = {};
+  this->Others_ = {};
+  this->Triangles_ = {};
+  this->TriangleNumbers_ = {};
+  this->TriangleOf_ = {};
+  this->Around_ = {};
+  this->RowOf_ = {};
+  this->Rows_ = {};
 }
 
 /// Who lies at one place is ordered by what lies around: that takes the coincident points of all
@@ -129,8 +147,7 @@ void SharedMesh::RankCoincident(Ranks& ranks)
   // Isolated ones are in no triangle.
   for (const Id p : coincident)
   {
-    const double* x = this->Positions_.data() + 3 * static_cast<std::size_t>(p);
-    own.points.push_back({ this->NumberOf(p), { x[0], x[1], x[2] } });
+    own.points.push_back(CornerAt(this->NumberOf(p), this->Position(p)));
   }
   Bytes message;
   Pack(message, own);
@@ -154,7 +171,7 @@ void SharedMesh::RankCoincident(Ranks& ranks)
       {
         Triangle corners;
         std::transform(cell.corners.begin(), cell.corners.end(), corners.begin(),
-          [&pointOf, &patch](Id p) { return pointOf.at(patch.points[p].number); });
+          [&pointOf](std::int64_t number) { return pointOf.at(number); });
         triangles.push_back(corners);
       }
     }
@@ -174,28 +191,31 @@ void SharedMesh::RankCoincident(Ranks& ranks)
 
 MeshPatch SharedMesh::PatchAround(const std::vector<Id>& owned) const
 {
-  PatchBuilder builder;
+  MeshPatch patch;
   std::unordered_map<Id, Id> added;
-  const auto cornerOf = [this](Id p)
-  {
-    const double* x = this->Positions_.data() + 3 * static_cast<std::size_t>(p);
-    return MeshPatch::Corner{ this->NumberOf(p), { x[0], x[1], x[2] } };
-  };
   for (const Id p : owned)
   {
     const Span<Id> around = this->Around_.TrianglesAround(p);
-    builder.patch.counts.push_back(around.size());
+    patch.counts.push_back(around.size());
     for (const Id t : around)
     {
-      const auto [entry, isNew] = added.try_emplace(t, 0);
+      const auto [entry, isNew] = added.try_emplace(t, static_cast<Id>(patch.triangles.size()));
+      patch.around.push_back(entry->second);
       if (isNew)
       {
-        entry->second = builder.Add(this->TriangleNumbers_[t], this->Triangles_[t], cornerOf);
+        MeshPatch::Cell cell{ this->TriangleNumbers_[t], {} };
+        for (int i = 0; i < 3; ++i)
+        {
+          const Id corner = this->Around_.Corners(t)[i];
+          cell.corners[i] = this->NumberOf(corner);
+          patch.points.push_back(CornerAt(cell.corners[i], this->Position(corner)));
+        }
+        patch.triangles.push_back(cell);
       }
-      builder.patch.around.push_back(entry->second);
     }
   }
-  return std::move(builder.patch);
+  SortCorners(patch.points);
+  return patch;
 }
 
 Id SharedMesh::LocalOf(std::int64_t number) const
@@ -222,8 +242,8 @@ Id SharedMesh::AddPoint(const MeshPatch::Corner& corner)
   {
     return known;
   }
-  const auto local = static_cast<Id>(this->Positions_.size() / 3);
-  this->Positions_.insert(this->Positions_.end(), corner.x.begin(), corner.x.end());
+  const Id local = this->NumberOfPoints();
+  this->PositionsOfOthers_.insert(this->PositionsOfOthers_.end(), corner.x.begin(), corner.x.end());
   this->NumbersOfOthers_.push_back(corner.number);
   this->Others_.emplace(corner.number, local);
   this->RowOf_.emplace_back(-1, 0);
@@ -233,19 +253,18 @@ Id SharedMesh::AddPoint(const MeshPatch::Corner& corner)
 /// Which triangles those of the patch are here.
 std::vector<Id> SharedMesh::Take(const MeshPatch& patch)
 {
-  std::vector<Id> points;
-  points.reserve(patch.points.size());
   for (const MeshPatch::Corner& corner : patch.points)
   {
-    points.push_back(this->AddPoint(corner));
+    this->AddPoint(corner);
   }
   std::vector<Id> triangles;
   triangles.reserve(patch.triangles.size());
   for (const MeshPatch::Cell& cell : patch.triangles)
   {
-    const Triangle corners = { points[cell.corners[0]], points[cell.corners[1]],
-      points[cell.corners[2]] };
-    const auto next = static_cast<Id>(this->Triangles_.size());
+    Triangle corners;
+    std::transform(cell.corners.begin(), cell.corners.end(), corners.begin(),
+      [this](std::int64_t number) { return this->LocalOf(number); });
+    const auto next = static_cast<Id>(this->TriangleNumbers_.size());
     const bool isInside = std::all_of(
       corners.begin(), corners.end(), [this](Id p) { return p < this->NumberOfOwned(); });
     const auto known = isInside ? std::pair(this->TriangleOf_.end(), true)
@@ -277,7 +296,7 @@ void SharedMesh::Ask(Ranks& ranks, const std::vector<Id>& points)
     asked[owner].push_back(p);
   }
   std::vector<Bytes> replies(ranks.Size());
-  const auto requests = ExchangeValues(ranks, wanted);
+  const auto requests = ExchangeValues(ranks, std::move(wanted));
   for (int rank = 0; rank < ranks.Size(); ++rank)
   {
     std::vector<Id> owned;
@@ -320,24 +339,20 @@ Span<Id> SharedMesh::TrianglesAround(Id local) const
 
 MeshShare::MeshShare(Ranks& ranks, SharedMesh& shared, std::vector<Id> points, int rings,
   const RangeLoop& loop, Id shares)
-  : Points_(std::move(points))
-  , NumberOfInner_(static_cast<Id>(Points_.size()))
+  : NumberOfInner_(static_cast<Id>(points.size()))
   , Owners_(shared.Points())
 {
-  const std::vector<Id> triangles = this->Spread(ranks, shared, rings);
-  std::unordered_map<Id, Id> ownId;
-  ownId.reserve(this->Points_.size());
-  const std::size_t count = this->Points_.size();
-  this->Positions_.reserve(3 * count);
-  this->Numbers_.reserve(count);
+  const std::vector<Id> triangles = Spread(ranks, shared, points, rings);
+  std::vector<Id> ownId(shared.NumberOfPoints(), -1);
+  this->Positions_.reserve(3 * points.size());
+  this->Numbers_.reserve(points.size());
   std::vector<std::pair<Id, std::uint64_t>> ranksAtPlace;
-  for (std::size_t p = 0; p < count; ++p)
+  for (std::size_t p = 0; p < points.size(); ++p)
   {
-    const Id local = this->Points_[p];
-    ownId.emplace(local, static_cast<Id>(p));
-    const double* x = shared.Positions_.data() + 3 * static_cast<std::size_t>(local);
+    ownId[points[p]] = static_cast<Id>(p);
+    const double* x = shared.Position(points[p]);
     this->Positions_.insert(this->Positions_.end(), x, x + 3);
-    const std::int64_t number = shared.NumberOf(local);
+    const std::int64_t number = shared.NumberOf(points[p]);
     this->Numbers_.push_back(number);
     const auto rank = std::lower_bound(shared.RanksAtPlace_.begin(), shared.RanksAtPlace_.end(),
       std::pair(number, std::uint64_t(0)));
@@ -349,43 +364,38 @@ MeshShare::MeshShare(Ranks& ranks, SharedMesh& shared, std::vector<Id> points, i
   Buffer<Triangle> corners(triangles.size());
   for (std::size_t t = 0; t < triangles.size(); ++t)
   {
-    const Triangle& local = shared.Triangles_[triangles[t]];
-    corners[t] = { ownId.at(local[0]), ownId.at(local[1]), ownId.at(local[2]) };
+    const Triangle& local = shared.Corners(triangles[t]);
+    corners[t] = { ownId[local[0]], ownId[local[1]], ownId[local[2]] };
   }
-  this->Mesh_ = TriangleMesh(this->Positions_.data(), static_cast<Id>(count), std::move(corners),
-    TriangleMesh::Edges::NotBuilt, loop, shares);
+  this->Mesh_ = TriangleMesh(this->Positions_.data(), static_cast<Id>(points.size()),
+    std::move(corners), TriangleMesh::Edges::NotBuilt, loop, shares);
   this->Mesh_.SetRanksAtPlace(std::move(ranksAtPlace));
 }
 
 /// Ring after ring: appends the points of each, and gives the triangles around all but the last.
-std::vector<Id> MeshShare::Spread(Ranks& ranks, SharedMesh& shared, int rings)
+std::vector<Id> MeshShare::Spread(
+  Ranks& ranks, SharedMesh& shared, std::vector<Id>& points, int rings)
 {
-  std::vector<std::uint8_t> isPoint;
+  std::vector<std::uint8_t> isPoint(shared.NumberOfPoints(), 0);
   std::vector<std::uint8_t> isTriangle;
   std::vector<Id> triangles;
-  isPoint.resize(shared.Positions_.size() / 3, 0);
-  for (const Id p : this->Points_)
+  for (const Id p : points)
   {
     isPoint[p] = 1;
   }
   std::size_t begin = 0;
   for (int ring = 0; ring <= rings; ++ring)
   {
-    const std::size_t end = this->Points_.size();
+    const std::size_t end = points.size();
     std::vector<Id> missing;
-    for (std::size_t i = begin; i < end; ++i)
-    {
-      if (!shared.IsComplete(this->Points_[i]))
-      {
-        missing.push_back(this->Points_[i]);
-      }
-    }
+    std::copy_if(points.begin() + static_cast<std::ptrdiff_t>(begin), points.end(),
+      std::back_inserter(missing), [&shared](Id p) { return !shared.IsComplete(p); });
     shared.Ask(ranks, missing);
-    isPoint.resize(shared.Positions_.size() / 3, 0);
-    isTriangle.resize(shared.Triangles_.size(), 0);
+    isPoint.resize(shared.NumberOfPoints(), 0);
+    isTriangle.resize(shared.TriangleNumbers_.size(), 0);
     for (std::size_t i = begin; i < end; ++i)
     {
-      for (const Id t : shared.TrianglesAround(this->Points_[i]))
+      for (const Id t : shared.TrianglesAround(points[i]))
       {
         if (isTriangle[t] != 0)
         {
@@ -393,12 +403,12 @@ std::vector<Id> MeshShare::Spread(Ranks& ranks, SharedMesh& shared, int rings)
         }
         isTriangle[t] = 1;
         triangles.push_back(t);
-        for (const Id p : shared.Triangles_[t])
+        for (const Id p : shared.Corners(t))
         {
           if (isPoint[p] == 0)
           {
             isPoint[p] = 1;
-            this->Points_.push_back(p);
+            points.push_back(p);
           }
         }
       }

@@ -6,8 +6,8 @@
 #include "Mesh/TriangleMesh.h"
 #include "Shares/SharedPoints.h"
 
+#include <array>
 #include <cstdint>
-#include <memory>
 #include <string>
 #include <unordered_map>
 #include <utility>
@@ -16,8 +16,8 @@
 namespace ridges
 {
 
-/// Points and triangles that one rank tells another. Points have the numbers that they have in the
-/// whole mesh; so have triangles.
+/// Triangles that one rank tells another, and where their corners are, unless that is known there.
+/// Points and triangles have numbers in the whole mesh.
 struct MeshPatch
 {
   struct Corner
@@ -28,7 +28,7 @@ struct MeshPatch
   struct Cell
   {
     std::int64_t number;
-    Triangle corners; ///< Among the points of the patch.
+    std::array<std::int64_t, 3> corners;
   };
   std::vector<Corner> points;
   std::vector<Cell> triangles;
@@ -54,6 +54,9 @@ public:
   /// known here where.
   const TriangleMesh& Around() const { return this->Around_; }
 
+  /// Forgets everything but the points.
+  void Release();
+
   /// Of all ranks.
   std::int64_t NumberOfTriangles() const { return this->NumberOfTriangles_; }
 
@@ -78,11 +81,28 @@ private:
   int Rank_ = 0;
   std::int64_t NumberOfTriangles_ = 0;
 
-  // Owned points come first. Others, and their triangles, stay once they are known.
-  std::vector<double> Positions_;
+  const double* Position(Id local) const
+  {
+    const Id owned = this->NumberOfOwned();
+    return local < owned
+      ? this->Points_.Owned().data() + 3 * static_cast<std::size_t>(local)
+      : this->PositionsOfOthers_.data() + 3 * static_cast<std::size_t>(local - owned);
+  }
+  const Triangle& Corners(Id t) const
+  {
+    const Id first = this->Around_.NumberOfTriangles();
+    return t < first ? this->Around_.Corners(t) : this->Triangles_[t - first];
+  }
+  Id NumberOfPoints() const
+  {
+    return this->NumberOfOwned() + static_cast<Id>(this->NumbersOfOthers_.size());
+  }
+
+  // Owned points and the triangles around them come first. Others stay once they are known.
+  std::vector<double> PositionsOfOthers_;
   std::vector<std::int64_t> NumbersOfOthers_;
   std::unordered_map<std::int64_t, Id> Others_; ///< By number.
-  std::vector<Triangle> Triangles_;
+  std::vector<Triangle> Triangles_;             ///< Those that are not in Around_.
   std::vector<std::int64_t> TriangleNumbers_;
   std::unordered_map<std::int64_t, Id> TriangleOf_; ///< Those at points of others.
   TriangleMesh Around_;                             ///< Those around owned points.
@@ -120,9 +140,9 @@ public:
   std::vector<T> Rows(Ranks& ranks, const T* owned, int width) const;
 
 private:
-  std::vector<Id> Spread(Ranks& ranks, SharedMesh& shared, int rings);
+  static std::vector<Id> Spread(
+    Ranks& ranks, SharedMesh& shared, std::vector<Id>& points, int rings);
 
-  std::vector<Id> Points_; ///< Local numbers of the shared mesh.
   std::vector<std::int64_t> Numbers_;
   std::vector<double> Positions_;
   TriangleMesh Mesh_;
@@ -142,16 +162,17 @@ std::vector<T> MeshShare::Rows(Ranks& ranks, const T* owned, int width) const
     places[owner].push_back(static_cast<Id>(p));
   }
   std::vector<std::vector<T>> replies(ranks.Size());
-  const auto asked = ExchangeValues(ranks, wanted);
+  const auto asked = ExchangeValues(ranks, std::move(wanted));
   for (std::size_t rank = 0; rank < asked.size(); ++rank)
   {
+    replies[rank].reserve(asked[rank].size() * width);
     for (const std::int64_t number : asked[rank])
     {
       const T* row = owned + (number - this->Owners_.First(ranks.Rank())) * width;
       replies[rank].insert(replies[rank].end(), row, row + width);
     }
   }
-  const auto received = ExchangeValues(ranks, replies);
+  const auto received = ExchangeValues(ranks, std::move(replies));
   std::vector<T> rows(this->Numbers_.size() * width);
   for (std::size_t rank = 0; rank < received.size(); ++rank)
   {

@@ -11,7 +11,6 @@
 #include <map>
 #include <set>
 #include <tuple>
-#include <unordered_map>
 #include <utility>
 
 namespace ridges
@@ -33,32 +32,52 @@ std::array<double, 3> PlaceOf(const std::array<double, 3>& x)
   return { x[0] + 0.0, x[1] + 0.0, x[2] + 0.0 };
 }
 
-struct BitsHash
-{
-  std::size_t operator()(const std::array<double, 3>& x) const
-  {
-    return static_cast<std::size_t>(PositionHash({ x[0], x[1], x[2] }));
-  }
-};
-
-struct SameBits
-{
-  bool operator()(const std::array<double, 3>& a, const std::array<double, 3>& b) const
-  {
-    return std::memcmp(a.data(), b.data(), sizeof a) == 0;
-  }
-};
-
 /// Who has used points at a place. Ranks arrive one after the other.
 struct Place
 {
-  std::array<double, 3> x{};
+  std::array<double, 3> x;
   int ranks = 0;
   int lastRank = -1;
   Id ofLastRank = 0;
   Id mostOfARank = 0;
 
   bool IsOnePoint() const { return this->mostOfARank <= 1; }
+};
+
+/// Numbers places as they come: by their bits, so that not even what is not a number matters.
+class PlaceTable
+{
+public:
+  explicit PlaceTable(std::size_t count)
+  {
+    std::size_t size = 16;
+    while (size < 2 * count)
+    {
+      size *= 2;
+    }
+    this->Table_.assign(size, -1);
+  }
+
+  /// The number of a place, which is added if it is new.
+  Id Find(const std::array<double, 3>& x, std::vector<Place>& places)
+  {
+    const std::size_t mask = this->Table_.size() - 1;
+    std::size_t at = static_cast<std::size_t>(PositionHash({ x[0], x[1], x[2] })) & mask;
+    while (this->Table_[at] >= 0 &&
+      std::memcmp(places[this->Table_[at]].x.data(), x.data(), sizeof x) != 0)
+    {
+      at = (at + 1) & mask;
+    }
+    if (this->Table_[at] < 0)
+    {
+      this->Table_[at] = static_cast<Id>(places.size());
+      places.push_back({ x });
+    }
+    return this->Table_[at];
+  }
+
+private:
+  std::vector<Id> Table_;
 };
 
 /// Of all points of all pieces, about as many per rank; each rank gives its part.
@@ -140,23 +159,19 @@ private:
     {
       count += from.size();
     }
-    std::unordered_map<std::array<double, 3>, Id, BitsHash, SameBits> found;
-    found.reserve(count);
+    PlaceTable table(count);
+    this->places.reserve(count);
     this->placeOf.resize(this->points.size());
     for (std::size_t rank = 0; rank < this->points.size(); ++rank)
     {
+      this->placeOf[rank].reserve(this->points[rank].size());
       for (const Arrival& arrival : this->points[rank])
       {
-        const auto key = PlaceOf(arrival.x);
-        const auto [entry, isNew] = found.try_emplace(key, static_cast<Id>(this->places.size()));
-        if (isNew)
-        {
-          this->places.emplace_back().x = key;
-        }
-        this->placeOf[rank].push_back(entry->second);
+        const Id at = table.Find(PlaceOf(arrival.x), this->places);
+        this->placeOf[rank].push_back(at);
         if (arrival.isUsed != 0)
         {
-          Place& place = this->places[entry->second];
+          Place& place = this->places[at];
           const bool isSameRank = place.lastRank == static_cast<int>(rank);
           place.ranks += isSameRank ? 0 : 1;
           place.ofLastRank = isSameRank ? place.ofLastRank + 1 : 1;
@@ -219,7 +234,7 @@ std::string SharedPoints::Share(Ranks& ranks, const MeshPiece& piece)
       { { x[0], x[1], x[2] }, piece.globalIds ? piece.globalIds[p] : -1, isUsed[p] });
     this->SentTo_[owner].push_back(p);
   }
-  const Arrivals arrivals(ExchangeValues(ranks, sent));
+  const Arrivals arrivals(ExchangeValues(ranks, std::move(sent)));
   const std::string faults = TextOfRanks(ranks, arrivals.Faults());
   if (!faults.empty())
   {
@@ -291,6 +306,8 @@ void SharedPoints::Number(
   std::vector<Id> pointsAt(arrivals.places.size(), 0);
   std::vector<Id> placeOfPoint;
   this->Owned_.clear();
+  this->Owned_.reserve(3 * arrivals.places.size());
+  placeOfPoint.reserve(arrivals.places.size());
   pointOf.assign(arrivals.points.size(), {});
   for (std::size_t rank = 0; rank < arrivals.points.size(); ++rank)
   {
@@ -300,8 +317,8 @@ void SharedPoints::Number(
     {
       const Arrival& arrival = arrivals.points[rank][i];
       const Id at = arrivals.placeOf[rank][i];
-      const PointKeys::Key key =
-        keys.Next(at, arrivals.places[at], from, arrival, arrivals.usedBy.count({ at, from }) > 0);
+      const PointKeys::Key key = keys.Next(at, arrivals.places[at], from, arrival,
+        !arrivals.usedBy.empty() && arrivals.usedBy.count({ at, from }) > 0);
       Id& point = key.kind == Kind::Only
         ? only[at]
         : others.try_emplace({ at, key.kind, key.which }, -1).first->second;

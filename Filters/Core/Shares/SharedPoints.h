@@ -84,7 +84,7 @@ std::vector<T> SharedPoints::ToPiece(Ranks& ranks, const T* owned, int width) co
       replies[rank].insert(replies[rank].end(), row, row + width);
     }
   }
-  const std::vector<std::vector<T>> received = ExchangeValues(ranks, replies);
+  const std::vector<std::vector<T>> received = ExchangeValues(ranks, std::move(replies));
   std::size_t count = 0;
   for (const std::vector<Id>& sent : this->SentTo_)
   {

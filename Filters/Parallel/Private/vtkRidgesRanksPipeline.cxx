@@ -49,8 +49,8 @@ int vtkRidgesRanksPipeline::InputTypeIsValid(int port, int index, vtkInformation
 }
 
 /// Not block after block: other ranks may have more of them.
-void vtkRidgesRanksPipeline::ExecuteSimpleAlgorithm(vtkInformation* request,
-  vtkInformationVector** inputs, vtkInformationVector* outputs, int port)
+void vtkRidgesRanksPipeline::ExecuteSimpleAlgorithm(
+  vtkInformation* request, vtkInformationVector** inputs, vtkInformationVector* outputs, int port)
 {
   if (this->IsShared)
   {
