@@ -9,6 +9,7 @@ the example surface of RR-5294, Fig. 25, all of it on the first rank.
 import sys
 
 from vtkmodules.vtkCommonDataModel import vtkPolyData
+from vtkmodules.vtkFiltersCore import vtkStaticCleanPolyData
 from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLPolyDataWriter, vtkXMLPPolyDataReader
 
 import vtkridges
@@ -17,19 +18,21 @@ from vtkridges.parallel import use_mpi, vtkPRidgesAndUmbilics
 controller = use_mpi()
 rank, ranks = controller.GetLocalProcessId(), controller.GetNumberOfProcesses()
 
+merged = vtkStaticCleanPolyData()  # where a rank reads several pieces, their points are not
 filter = vtkPRidgesAndUmbilics()
 filter.SetMinimumSharpness(10.0)
+filter.SetInputConnection(merged.GetOutputPort())
 if len(sys.argv) > 1 and sys.argv[1].endswith(".pvtp"):
     reader = vtkXMLPPolyDataReader()
     reader.SetFileName(sys.argv[1])
-    filter.SetInputConnection(reader.GetOutputPort())
+    merged.SetInputConnection(reader.GetOutputPort())
 elif rank > 0:
-    filter.SetInputData(vtkPolyData())
+    merged.SetInputData(vtkPolyData())
 else:
     source = vtkXMLPolyDataReader() if len(sys.argv) > 1 else vtkridges.vtkRidgeExampleSource()
     if len(sys.argv) > 1:
         source.SetFileName(sys.argv[1])
-    filter.SetInputConnection(source.GetOutputPort())
+    merged.SetInputConnection(source.GetOutputPort())
 filter.UpdatePiece(rank, ranks, 0)
 
 if rank == 0:  # which has all lines and umbilics

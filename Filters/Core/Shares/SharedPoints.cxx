@@ -109,8 +109,8 @@ std::string TextOfAmbiguous(Id count, const std::array<double, 3>& x)
   std::snprintf(place, sizeof place, "(%.9g, %.9g, %.9g)", x[0], x[1], x[2]);
   return std::to_string(count) +
     " places have several points in one piece and points of another piece, too, as at " + place +
-    ": which are the same cannot be known (give the points global ids, or merge coincident points "
-    "before the mesh is cut into pieces)";
+    ": which are the same cannot be known (if they are all one, merge coincident points in each "
+    "piece; if not, give the points global ids)";
 }
 
 } // namespace
