@@ -60,11 +60,7 @@
 #include "vtkFiltersRidgesModule.h" // For export macro
 #include "vtkPolyDataAlgorithm.h"
 #include "vtkRidgesCompatibility.h" // For the ABI namespace
-
-namespace ridges
-{
-class Ranks;
-}
+#include "vtkRidgesRanks.h"
 
 VTK_ABI_NAMESPACE_BEGIN
 class VTKFILTERSRIDGES_EXPORT vtkJetFitting : public vtkPolyDataAlgorithm
@@ -182,9 +178,7 @@ protected:
   ~vtkJetFitting() override = default;
   int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
-
-  /// The ranks that have the other pieces of the mesh; null: the input is all there is. Private to
-  /// the modules of vtkRidges.
+  /// Who has the other pieces of the mesh; null: the input is all there is.
   virtual ridges::Ranks* GetRanks() { return nullptr; }
 
   int Degree = 0;

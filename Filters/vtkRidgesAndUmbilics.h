@@ -31,7 +31,8 @@
 #include "vtkRidgeExtraction.h"      // For its enums
 #include "vtkRidgeSharpnessFilter.h" // For its enums
 #include "vtkRidgesCompatibility.h"  // For the ABI namespace
-#include "vtkUmbilicDetection.h"     // For its enums
+#include "vtkRidgesRanks.h"
+#include "vtkUmbilicDetection.h" // For its enums
 
 /// A property of a stage, under the same name.
 #define vtkRidgesStagePropertyMacro(name, type)                                                    \
@@ -148,8 +149,7 @@ protected:
   int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
-  /// The ranks that have the other pieces of the mesh; null: the input is all there is. Private to
-  /// the modules of vtkRidges.
+  /// Who has the other pieces of the mesh; null: the input is all there is.
   virtual ridges::Ranks* GetRanks() { return nullptr; }
 
 private:

@@ -4,11 +4,7 @@
 #define vtkRidgesSharedFit_h
 
 #include "vtkRidgesCompatibility.h"
-
-namespace ridges
-{
-class Ranks;
-}
+#include "vtkRidgesRanks.h"
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkInformationVector;
