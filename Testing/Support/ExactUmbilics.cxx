@@ -55,27 +55,6 @@ double RootMargin(const std::array<double, 4>& f)
 }
 
 //------------------------------------------------------------------------------
-void Classify(ExactUmbilic& umbilic)
-{
-  const std::array<double, 4>& b = umbilic.b;
-  umbilic.indexMargin = ((b[0] - b[2]) * b[2] - b[1] * (b[1] - b[3])) / SquaredNorm(b);
-  umbilic.ridgeMargin = RootMargin(b);
-  umbilic.ridgeCount = umbilic.ridgeMargin > 0.0 ? 3 : 1;
-
-  // Radial directions (x, y) that are principal: (h_xx - h_yy) x y = h_xy (x^2 - y^2).
-  const std::array<double, 4> lines = { -b[1], (b[0] - 2 * b[2]) / 3, (2 * b[1] - b[3]) / 3, b[2] };
-  umbilic.lineMargin = RootMargin(lines);
-  if (umbilic.index < 0.0)
-  {
-    umbilic.kind = UmbilicKind::Star;
-  }
-  else
-  {
-    umbilic.kind = umbilic.lineMargin > 0.0 ? UmbilicKind::Monstar : UmbilicKind::Lemon;
-  }
-}
-
-//------------------------------------------------------------------------------
 // The corners from which to search.
 std::vector<bool> Seeds(const Mesh& mesh, const std::vector<ExactMonge>& forms)
 {
@@ -111,6 +90,27 @@ std::vector<bool> Seeds(const Mesh& mesh, const std::vector<ExactMonge>& forms)
 }
 
 } // namespace
+
+//------------------------------------------------------------------------------
+void ClassifyByForm(ExactUmbilic& umbilic)
+{
+  const std::array<double, 4>& b = umbilic.b;
+  umbilic.indexMargin = ((b[0] - b[2]) * b[2] - b[1] * (b[1] - b[3])) / SquaredNorm(b);
+  umbilic.ridgeMargin = RootMargin(b);
+  umbilic.ridgeCount = umbilic.ridgeMargin > 0.0 ? 3 : 1;
+
+  // Radial directions (x, y) that are principal: (h_xx - h_yy) x y = h_xy (x^2 - y^2).
+  const std::array<double, 4> lines = { -b[1], (b[0] - 2 * b[2]) / 3, (2 * b[1] - b[3]) / 3, b[2] };
+  umbilic.lineMargin = RootMargin(lines);
+  if (umbilic.index < 0.0)
+  {
+    umbilic.kind = UmbilicKind::Star;
+  }
+  else
+  {
+    umbilic.kind = umbilic.lineMargin > 0.0 ? UmbilicKind::Monstar : UmbilicKind::Lemon;
+  }
+}
 
 //------------------------------------------------------------------------------
 bool ConvergeToUmbilic(const AnalyticSurface& surface, Vector3d& point)
@@ -227,7 +227,7 @@ std::vector<ExactUmbilic> FindUmbilics(const AnalyticSurface& surface, const Mes
     {
       throw std::runtime_error("FindUmbilics: a degenerate umbilic");
     }
-    Classify(umbilic);
+    ClassifyByForm(umbilic);
   }
   return umbilics;
 }

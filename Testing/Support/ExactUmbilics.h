@@ -42,6 +42,9 @@ struct ExactUmbilic
   double lineMargin = 0.0;  // that of the directions of curvature lines: negative at a lemon
 };
 
+// Sets the ridge count, the kind and the margins of an umbilic whose form and index are known.
+void ClassifyByForm(ExactUmbilic& umbilic);
+
 // All umbilics where the mesh, inscribed in the surface, is fine enough to tell them apart, sorted
 // by their coordinates. Newton's method starts wherever a corner's exact Monge form predicts an
 // umbilic within a few edges, at minima of k1 - k2, and at all triangles around which the exact
