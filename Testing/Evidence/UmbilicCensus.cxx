@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <tuple>
 
 namespace ridges
@@ -119,14 +120,52 @@ bool Has(const ExactUmbilic& umbilic, Trait trait)
 }
 
 //------------------------------------------------------------------------------
+Estimate SquareCounts::Ratio() const
+{
+  const double count = std::accumulate(this->counts.begin(), this->counts.end(), 0.0);
+  const double weight = std::accumulate(this->weights.begin(), this->weights.end(), 0.0);
+  double squaredError = 0.0;
+  for (std::size_t i = 0; i < this->counts.size(); ++i)
+  {
+    squaredError += std::pow(this->counts[i] - count / weight * this->weights[i], 2);
+  }
+  const auto n = static_cast<double>(this->counts.size());
+  return { count / weight, std::sqrt(squaredError * n / (n - 1)) / weight };
+}
+
+//------------------------------------------------------------------------------
+void CensusScore::Add(const CensusScore& other)
+{
+  this->umbilics += other.umbilics;
+  this->found += other.found;
+  this->rightIndex += other.rightIndex;
+  this->rightPattern += other.rightPattern;
+  this->rightRidgeCount += other.rightRidgeCount;
+  this->spurious += other.spurious;
+  this->errors.insert(this->errors.end(), other.errors.begin(), other.errors.end());
+  this->largestMargin = std::max(this->largestMargin, other.largestMargin);
+  this->widestMissing = std::max(this->widestMissing, other.widestMissing);
+}
+
+//------------------------------------------------------------------------------
+double CensusScore::ErrorAt(double share) const
+{
+  std::vector<double> sorted = this->errors;
+  std::sort(sorted.begin(), sorted.end());
+  return sorted.empty()
+    ? 0.0
+    : sorted[static_cast<std::size_t>(share * static_cast<double>(sorted.size() - 1))];
+}
+
+//------------------------------------------------------------------------------
 UmbilicCensus::UmbilicCensus(const CensusCase& settings)
   : Settings(settings)
   , Surface(settings.numberOfWaves, settings.amplitude, settings.seed)
   , Umbilics_(FindUmbilics(this->Surface, 0.5 * settings.size, settings.spacing))
 {
   const int cells = static_cast<int>(std::round(settings.size / settings.spacing));
-  ridges::testing::Mesh mesh = GraphPatch([](double, double) { return 0.0; }, 0.5 * settings.size,
-    cells, settings.jitter, settings.seed);
+  ridges::testing::Mesh mesh = GraphPatch(
+    [](double, double) { return 0.0; }, 0.5 * settings.size, cells, settings.jitter, settings.seed);
   ParallelFor(mesh.PointCount(),
     [&](std::size_t p)
     { mesh.points[3 * p + 2] = this->Surface.Height(mesh.points[3 * p], mesh.points[3 * p + 1]); });
@@ -147,35 +186,24 @@ bool UmbilicCensus::IsInside(const Vector3d& position) const
 }
 
 //------------------------------------------------------------------------------
-Estimate UmbilicCensus::Measure(Trait trait) const
+void UmbilicCensus::Count(Trait trait, SquareCounts& total) const
 {
   constexpr int squares = 10; // along an axis
   const double side = this->Settings.size / squares;
-  std::vector<double> counts(squares * squares);
-  std::vector<double> weights(squares * squares, trait == Trait::All ? side * side : 0.0);
+  SquareCounts own;
+  own.counts.resize(squares * squares);
+  own.weights.assign(squares * squares, trait == Trait::All ? side * side : 0.0);
   for (const ExactUmbilic& umbilic : this->Umbilics_)
   {
     const auto squareOf = [&](double x) {
       return std::clamp(static_cast<int>((x + 0.5 * this->Settings.size) / side), 0, squares - 1);
     };
     const int square = squares * squareOf(umbilic.position.x()) + squareOf(umbilic.position.y());
-    counts[square] += Has(umbilic, trait) ? 1.0 : 0.0;
-    weights[square] += trait == Trait::All ? 0.0 : 1.0;
+    own.counts[square] += Has(umbilic, trait) ? 1.0 : 0.0;
+    own.weights[square] += trait == Trait::All ? 0.0 : 1.0;
   }
-  double count = 0.0;
-  double weight = 0.0;
-  for (int i = 0; i < squares * squares; ++i)
-  {
-    count += counts[i];
-    weight += weights[i];
-  }
-  double squaredError = 0.0;
-  for (int i = 0; i < squares * squares; ++i)
-  {
-    squaredError += std::pow(counts[i] - count / weight * weights[i], 2);
-  }
-  const double n = squares * squares;
-  return { count / weight, std::sqrt(squaredError * n / (n - 1)) / weight };
+  total.counts.insert(total.counts.end(), own.counts.begin(), own.counts.end());
+  total.weights.insert(total.weights.end(), own.weights.begin(), own.weights.end());
 }
 
 //------------------------------------------------------------------------------
@@ -211,7 +239,6 @@ CensusScore UmbilicCensus::Compare(vtkPolyData* found) const
   const double spacing = this->Settings.spacing;
   const std::vector<vtkIdType> partners = Pair(this->Umbilics_, found, 4.0 * spacing);
   std::vector<bool> hasPartner(found->GetNumberOfPoints(), false);
-  std::vector<double> errors;
   CensusScore score;
   vtkPointData* values = found->GetPointData();
   for (std::size_t i = 0; i < partners.size(); ++i)
@@ -234,36 +261,25 @@ CensusScore UmbilicCensus::Compare(vtkPolyData* found) const
       continue;
     }
     ++score.found;
-    errors.push_back((umbilic.position - PointAt(found, partner)).norm() / spacing);
+    score.errors.push_back((umbilic.position - PointAt(found, partner)).norm() / spacing);
     const bool index = Value(values, names::Index, partner) == umbilic.index;
     const bool pattern = Value(values, names::Pattern, partner) == PatternOf(umbilic.kind);
     const bool ridges = Value(values, names::RidgeCount, partner) == umbilic.ridgeCount;
     score.rightIndex += index ? 1 : 0;
     score.rightPattern += pattern ? 1 : 0;
     score.rightRidgeCount += ridges ? 1 : 0;
-    if (index && pattern && !ridges)
+    if ((!pattern || !ridges) && DistanceToNext(this->Umbilics_, i) > 3.0 * spacing)
     {
-      score.largestMargin = std::max(score.largestMargin, std::abs(umbilic.ridgeMargin));
+      score.largestMargin =
+        std::max({ score.largestMargin, ridges ? 0.0 : std::abs(umbilic.ridgeMargin),
+          pattern ? 0.0 : std::abs(umbilic.lineMargin) });
     }
   }
   for (vtkIdType j = 0; j < found->GetNumberOfPoints(); ++j)
   {
     score.spurious += !hasPartner[j] && this->IsInside(PointAt(found, j)) ? 1 : 0;
   }
-  std::sort(errors.begin(), errors.end());
-  this->Summarize(errors, score);
   return score;
-}
-
-//------------------------------------------------------------------------------
-void UmbilicCensus::Summarize(const std::vector<double>& errors, CensusScore& score) const
-{
-  if (!errors.empty())
-  {
-    score.medianError = errors[errors.size() / 2];
-    score.percentile99 = errors[errors.size() * 99 / 100];
-    score.largestError = errors.back();
-  }
 }
 
 } // namespace testing

@@ -23,21 +23,28 @@ namespace testing
 // The correlation length is 1.
 struct CensusCase
 {
-  double size = 100.0;        // of the square
-  double spacing = 0.125;     // of the points along an axis
-  double jitter = 0.2;        // of the spacing: points are moved by at most so much at random
-  double amplitude = 0.01;    // root mean square height
-  double strip = 1.0;         // along the border: umbilics in it are left out
+  double size = 100.0;     // of the square
+  double spacing = 0.125;  // of the points along an axis
+  double jitter = 0.2;     // of the spacing: points are moved by at most so much at random
+  double amplitude = 0.01; // root mean square height
+  double strip = 1.0;      // along the border: umbilics in it are left out
   int numberOfWaves = 600;
   std::uint64_t seed = 1;
 };
 
-// A share or a density with its standard error, from the totals in squares, of which umbilics in
-// one may depend on each other, but hardly on those in others.
 struct Estimate
 {
   double value = 0.0;
-  double error = 0.0;
+  double error = 0.0; // standard
+};
+
+// Numbers in squares, of which umbilics in one may depend on each other, but hardly on those in
+// others: from these comes the standard error of the ratio of their sums, a share or a density.
+struct SquareCounts
+{
+  std::vector<double> counts;
+  std::vector<double> weights;
+  Estimate Ratio() const;
 };
 
 // What umbilics have to be counted for.
@@ -61,15 +68,17 @@ struct CensusScore
   std::size_t rightIndex = 0;
   std::size_t rightPattern = 0;
   std::size_t rightRidgeCount = 0;
-  std::size_t spurious = 0; // found outside the strip where there is none
-  // Of the positions, in spacings.
-  double medianError = 0.0;
-  double percentile99 = 0.0;
-  double largestError = 0.0;
-  // Where all is right, but the ridge count: how near the form is to that of two types, at most.
+  std::size_t spurious = 0;   // found outside the strip where there is none
+  std::vector<double> errors; // of the positions, in spacings
+  // Among those with the wrong pattern or ridge count that have no other within three spacings: how
+  // far the form is at most from that of a right answer.
   double largestMargin = 0.0;
-  // Of the nearest other umbilic: the greatest distance at which one is missing, in spacings.
+  // The greatest distance from a missing one to the next umbilic, in spacings.
   double widestMissing = 0.0;
+
+  void Add(const CensusScore& other);
+  // The error that this share of them does not exceed.
+  double ErrorAt(double share) const;
 };
 
 class UmbilicCensus
@@ -80,7 +89,7 @@ public:
   const std::vector<ExactUmbilic>& Umbilics() const { return this->Umbilics_; }
   std::size_t NumberOfPoints() const;
   double ExpectedDensity() const { return this->Surface.ExpectedDensity(); }
-  Estimate Measure(Trait trait) const;
+  void Count(Trait trait, SquareCounts& total) const;
 
   // The mesh, and the mesh with the exact Monge arrays that vtkUmbilicDetection needs.
   vtkSmartPointer<vtkPolyData> Mesh() const { return this->Mesh_; }
@@ -91,7 +100,6 @@ public:
 
 private:
   bool IsInside(const Eigen::Vector3d& position) const;
-  void Summarize(const std::vector<double>& errors, CensusScore& score) const;
 
   CensusCase Settings;
   WaveSurface Surface;

@@ -102,6 +102,35 @@ std::array<double, 4> ThirdOrderOf(const HeightJet& z)
 }
 
 //------------------------------------------------------------------------------
+double AngleBetween(const Vector2d& from, const Vector2d& to)
+{
+  return std::atan2(from[0] * to[1] - from[1] * to[0], from.dot(to));
+}
+
+//------------------------------------------------------------------------------
+// Whether directions turn around a square, seen at many points of its sides: between its corners
+// alone they may turn by more than half a turn.
+bool TurnsAround(const WaveSurface& surface, const Vector2d& corner, double size)
+{
+  constexpr int pieces = 32; // of a side
+  const Vector2d sides[4] = { { 1, 0 }, { 0, 1 }, { -1, 0 }, { 0, -1 } };
+  Vector2d point = corner;
+  Vector2d from = EquationsOf(surface.Derivatives(point[0], point[1], 3)).value;
+  double turned = 0.0;
+  for (const Vector2d& side : sides)
+  {
+    for (int i = 0; i < pieces; ++i)
+    {
+      point += size / pieces * side;
+      const Vector2d to = EquationsOf(surface.Derivatives(point[0], point[1], 3)).value;
+      turned += AngleBetween(from, to);
+      from = to;
+    }
+  }
+  return std::abs(turned) > Pi;
+}
+
+//------------------------------------------------------------------------------
 ExactUmbilic UmbilicAt(const WaveSurface& surface, const Vector2d& point)
 {
   const HeightJet z = surface.Derivatives(point[0], point[1], 3);
@@ -109,8 +138,7 @@ ExactUmbilic UmbilicAt(const WaveSurface& surface, const Vector2d& point)
   ExactUmbilic umbilic;
   umbilic.position = { point[0], point[1], z.Derivative(0, 0) };
   umbilic.normal = normal.normalized();
-  umbilic.curvature =
-    z.Derivative(2, 0) / ((1 + std::pow(z.Derivative(1, 0), 2)) * normal.norm());
+  umbilic.curvature = z.Derivative(2, 0) / ((1 + std::pow(z.Derivative(1, 0), 2)) * normal.norm());
   umbilic.b = ThirdOrderOf(z);
   umbilic.index = EquationsOf(z).derivative.determinant() > 0.0 ? 0.5 : -0.5;
   ClassifyByForm(umbilic);
@@ -259,9 +287,7 @@ std::vector<ExactUmbilic> FindUmbilics(const WaveSurface& surface, double halfSi
       double turned = 0.0;
       for (int i = 0; i < 4; ++i)
       {
-        const Vector2d& from = equations[corners[i]].value;
-        const Vector2d& to = equations[corners[i + 1]].value;
-        turned += std::atan2(from[0] * to[1] - from[1] * to[0], from.dot(to));
+        turned += AngleBetween(equations[corners[i]].value, equations[corners[i + 1]].value);
       }
       if (std::abs(turned) > Pi)
       {
@@ -281,7 +307,8 @@ std::vector<ExactUmbilic> FindUmbilics(const WaveSurface& surface, double halfSi
 
   // By cells, and so near to each other only in neighbouring ones.
   using Key = std::pair<int, int>;
-  const auto keyOf = [cell](const Vector2d& point) -> Key {
+  const auto keyOf = [cell](const Vector2d& point) -> Key
+  {
     return { static_cast<int>(std::floor(point[0] / cell)),
       static_cast<int>(std::floor(point[1] / cell)) };
   };
@@ -318,7 +345,8 @@ std::vector<ExactUmbilic> FindUmbilics(const WaveSurface& surface, double halfSi
   }
   for (const std::size_t p : turning)
   {
-    if (!isNear(place(p) + Vector2d::Constant(0.5 * cell), cell))
+    if (!isNear(place(p) + Vector2d::Constant(0.5 * cell), cell) &&
+      TurnsAround(surface, place(p), cell))
     {
       throw std::runtime_error("FindUmbilics: an umbilic of the waves was missed");
     }
