@@ -3,14 +3,12 @@
 // Every closed manifold mesh that CGAL is distributed with: the indices of the umbilics sum to the
 // Euler characteristic, and every ridge is a loop or ends at umbilics.
 
+#include "ClosedManifold.h"
 #include "FilterTestTools.h"
 #include "Reading/MeshReader.h"
 #include "WholeRidges.h"
 
-#include "vtkCellArray.h"
 #include "vtkFieldData.h"
-#include "vtkIdList.h"
-#include "vtkNew.h"
 #include "vtkRidgesArrayNames.h"
 
 #include <gtest/gtest.h>
@@ -20,7 +18,6 @@
 #include <filesystem>
 #include <string>
 #include <system_error>
-#include <unordered_map>
 #include <vector>
 
 using namespace ridges::testing;
@@ -28,60 +25,6 @@ namespace names = vtkRidgesArrayNames;
 
 namespace
 {
-
-/// Whether each edge is in two polygons, in opposite senses, and the polygons around each point
-/// are one fan.
-bool IsClosedManifold(vtkPolyData* mesh)
-{
-  const vtkIdType numberOfPoints = mesh->GetNumberOfPoints();
-  // From an edge to the one before it around the point that both lead to.
-  std::unordered_map<vtkIdType, vtkIdType> before;
-  std::vector<std::size_t> degree(numberOfPoints, 0);
-  const auto key = [numberOfPoints](vtkIdType p, vtkIdType q) { return p * numberOfPoints + q; };
-  vtkNew<vtkIdList> ids;
-  for (vtkIdType cell = 0; cell < mesh->GetNumberOfPolys(); ++cell)
-  {
-    mesh->GetPolys()->GetCellAtId(cell, ids);
-    const vtkIdType count = ids->GetNumberOfIds();
-    for (vtkIdType i = 0; i < count; ++i)
-    {
-      const vtkIdType p = ids->GetId(i);
-      const vtkIdType q = ids->GetId((i + 1) % count);
-      if (p == q || !before.insert({ key(q, ids->GetId((i + 2) % count)), p }).second)
-      {
-        return false;
-      }
-      ++degree[q];
-    }
-  }
-  for (vtkIdType cell = 0; cell < mesh->GetNumberOfPolys(); ++cell)
-  {
-    mesh->GetPolys()->GetCellAtId(cell, ids);
-    const vtkIdType count = ids->GetNumberOfIds();
-    for (vtkIdType i = 0; i < count; ++i)
-    {
-      const vtkIdType p = ids->GetId(i);
-      const vtkIdType start = ids->GetId((i + 1) % count);
-      vtkIdType at = start;
-      std::size_t steps = 0;
-      do
-      {
-        const auto next = before.find(key(p, at));
-        if (next == before.end())
-        {
-          return false; // An edge without the opposite one.
-        }
-        at = next->second;
-        ++steps;
-      } while (at != start && steps <= degree[p]);
-      if (steps != degree[p])
-      {
-        return false;
-      }
-    }
-  }
-  return mesh->GetNumberOfPolys() > 0;
-}
 
 std::vector<std::filesystem::path> MeshFiles()
 {
