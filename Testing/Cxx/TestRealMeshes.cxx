@@ -3,16 +3,20 @@
 // Scanned, designed and dirty meshes, as CGAL is distributed with: whatever is in them, the
 // pipeline runs through, nothing is NaN, and ridges end only where they may.
 
+#include "CoherenceRows.h"
 #include "FilterTestTools.h"
 #include "Reading/MeshReader.h"
 #include "RidgeGraph.h"
 
 #include "vtkCellArray.h"
+#include "vtkNew.h"
 #include "vtkPointData.h"
+#include "vtkRidgesAndUmbilics.h"
 #include "vtkRidgesArrayNames.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
 #include <string>
 
@@ -55,6 +59,10 @@ class UncrossedMeshes : public RealMeshes
 {
 };
 
+class ZonedMeshes : public RealMeshes
+{
+};
+
 void ExpectSoundRidges(const Outputs& outputs)
 {
   EXPECT_EQ(outputs.errors, "");
@@ -87,10 +95,32 @@ TEST_P(UncrossedMeshes, HaveRidgesThatDoNotCross)
   ExpectNoRidgesCross(outputs.marked, outputs.ridges);
 }
 
+// Ridges that lie in zones are left out, and so are small loops, some of them partly in a zone.
+TEST_P(ZonedMeshes, LoseNoOtherCrossings)
+{
+  vtkNew<vtkRidgesAndUmbilics> filter;
+  filter->SetInputData(program::ReadMesh(this->Path).mesh.ToPolyData());
+  filter->SetMinimumSharpness(0.0);
+  filter->SetMinimumStrength(0.0);
+  filter->Update();
+  const Row row =
+    RowOf(Check(filter->GetOutput(2), filter->GetOutput(0), filter->GetOutput(1)), "crossings");
+  EXPECT_TRUE(row.passed) << row.found << ": " << row.offenders;
+}
+
 // In the last three, three ridges meet and run to their umbilic over one triangle.
 INSTANTIATE_TEST_SUITE_P(Scans, UncrossedMeshes,
   ::testing::Values(
     "blade", "mushroom", "fandisk_large", "bunny00", "mannequin-devil", "elephant-with-holes"));
+
+INSTANTIATE_TEST_SUITE_P(Zones, ZonedMeshes,
+  ::testing::Values("ellipe0.003", "blobby_3cc", "turbine"),
+  [](const ::testing::TestParamInfo<const char*>& instance)
+  {
+    std::string name = instance.param;
+    std::replace(name.begin(), name.end(), '.', '_');
+    return name;
+  });
 
 INSTANTIATE_TEST_SUITE_P(Scans, CleanMeshes, ::testing::Values("bunny00", "mannequin-devil"));
 

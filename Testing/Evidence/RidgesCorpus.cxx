@@ -186,8 +186,9 @@ std::string Run::FailedChecks()
   for (vtkIdType row = 0; row < table->GetNumberOfRows(); ++row)
   {
     const int severity = table->GetValueByName(row, names::Severity).ToInt();
-    (severity > 1 ? wrong : severity > 0 ? doubtful : passed) +=
-      " " + table->GetValueByName(row, names::Check).ToString() + ";";
+    (severity > 1      ? wrong
+        : severity > 0 ? doubtful
+                       : passed) += " " + table->GetValueByName(row, names::Check).ToString() + ";";
   }
   Print("doubtful", doubtful);
   return wrong.empty() ? "" : "wrong:" + wrong;

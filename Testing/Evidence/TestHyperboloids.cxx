@@ -3,8 +3,8 @@
 // Hyperboloids, which go on to infinity: of one sheet, x^2/a^2 + y^2/b^2 - z^2/c^2 = 1, without
 // umbilics, and of two, ... = -1, a > b, with two on each sheet, at
 //   (0, +-b sqrt((a^2 - b^2) / (b^2 + c^2)), +-c sqrt((a^2 + c^2) / (b^2 + c^2))),
-// of index +1/2 and with one ridge of each colour: the formula for the ellipsoid, with other signs of
-// the squared semi-axes.
+// of index +1/2 and with one ridge of each colour: the formula for the ellipsoid, with other signs
+// of the squared semi-axes.
 
 #include "AnalyticSurface.h"
 #include "ExactUmbilics.h"
@@ -82,7 +82,8 @@ void WithBothForms(const Mesh& mesh, const std::string& formula, Check check)
   exact->SetFormula(formula.c_str());
   vtkNew<vtkJetFitting> jets;
   jets->SetInputData(ToPolyData(mesh));
-  for (vtkAlgorithm* forms : { static_cast<vtkAlgorithm*>(exact), static_cast<vtkAlgorithm*>(jets) })
+  for (vtkAlgorithm* forms :
+    { static_cast<vtkAlgorithm*>(exact), static_cast<vtkAlgorithm*>(jets) })
   {
     SCOPED_TRACE(forms->GetClassName());
     vtkNew<vtkUmbilicDetection> detection;

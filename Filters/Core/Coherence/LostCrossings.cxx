@@ -6,6 +6,7 @@
 #include "Ridges/SmallLoops.h"
 
 #include <algorithm>
+#include <iterator>
 #include <unordered_map>
 #include <unordered_set>
 
@@ -176,35 +177,39 @@ LostCrossings FindLostCrossings(
   const TriangleMesh& mesh = *picture.mesh;
   const std::vector<int> passages = CountPassages(picture, ridges, color);
   LostCrossings result;
-  std::vector<Id> lost;
+  std::vector<Id> notPassed;
   for (Id e = 0; e < mesh.NumberOfEdges(); ++e)
   {
     const Edge& edge = mesh.EdgeAt(e);
     if (IsCrossed(picture.field, color, edge.v0, edge.v1) && picture.IsOutside(e))
     {
       ++result.crossed;
-      if (passages[e] == 0 && !IsLeftOutAt(picture, color, e))
+      if (passages[e] == 0)
       {
-        lost.push_back(e);
+        notPassed.push_back(e);
       }
     }
   }
-  Gathering gathering(picture, lost);
-  for (const Id e : lost)
+  // With those in zones: a loop may be partly in one, and is small as a whole.
+  Gathering gathering(picture, notPassed);
+  for (const Id e : notPassed)
   {
     if (!gathering.IsLeft(e))
     {
       continue;
     }
     const std::vector<Id> together = gathering.Take(e);
+    std::vector<Id> lost;
+    std::copy_if(together.begin(), together.end(), std::back_inserter(lost),
+      [&picture, color](Id edge) { return !IsLeftOutAt(picture, color, edge); });
     // What a loop encloses that passes a region cannot be told.
-    const bool isSmallLoop = together.size() <= SmallLoops::MostCrossings &&
+    const bool isSmallLoop = !lost.empty() && together.size() <= SmallLoops::MostCrossings &&
       gathering.IsClosed(together) &&
       (gathering.TouchesRegion(together) || EnclosesFew(picture, together));
     result.smallLoops += isSmallLoop ? 1 : 0;
     if (!isSmallLoop)
     {
-      result.edges.insert(result.edges.end(), together.begin(), together.end());
+      result.edges.insert(result.edges.end(), lost.begin(), lost.end());
     }
   }
   std::sort(result.edges.begin(), result.edges.end());
