@@ -185,16 +185,18 @@ int main(int argc, char* argv[])
     return 2;
   }
   Totals totals;
+  std::size_t points = 0;
+  std::size_t umbilics = 0;
   for (int i = 0; i < usage.surfaces; ++i)
   {
     CensusCase settings = usage.settings;
     settings.seed += static_cast<std::uint64_t>(i);
     const UmbilicCensus census(settings);
-    std::printf("%zu points, %zu umbilics\n", census.NumberOfPoints(), census.Umbilics().size());
-    std::fflush(stdout);
+    points += census.NumberOfPoints();
+    umbilics += census.Umbilics().size();
     Measure(usage, census, totals);
   }
-  std::printf("\n");
+  std::printf("%zu points on %d surfaces, %zu umbilics.\n\n", points, usage.surfaces, umbilics);
   PrintShares(totals);
   std::printf("\n");
   PrintScores(totals.ofExactForms, totals.ofFits);
