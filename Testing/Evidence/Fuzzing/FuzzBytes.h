@@ -43,8 +43,8 @@ public:
     {
       return (this->Byte() - 127.5) / 64 + (kind - 112) / 16384.0;
     }
-    constexpr double special[] = { 0.0, -0.0, 1.0, -1.0, 1e300, -1e300, 1e154, 1e-154, 1e-300, 5e-324,
-      std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity(),
+    constexpr double special[] = { 0.0, -0.0, 1.0, -1.0, 1e300, -1e300, 1e154, 1e-154, 1e-300,
+      5e-324, std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity(),
       std::numeric_limits<double>::quiet_NaN(), 1e10, 1e-10 };
     if (kind < 239)
     {
@@ -63,7 +63,7 @@ public:
   std::string Text(int length)
   {
     std::string text;
-    for (int i = 0; i < length && this->Left > 0; ++i)
+    for (int i = 0; i<length&& this->Left> 0; ++i)
     {
       text += static_cast<char>(this->Byte());
     }

@@ -265,23 +265,22 @@ void AddMongeArrays(vtkPolyData* mesh, FuzzBytes& bytes)
   AddSensibleArrays(mesh, bytes);
   for (int changes = bytes.Below(6); changes > 0; --changes)
   {
-    const Expected& expected =
-      PointArrays[bytes.Below(static_cast<int>(std::size(PointArrays)))];
+    const Expected& expected = PointArrays[bytes.Below(static_cast<int>(std::size(PointArrays)))];
     const int kind = bytes.Below(6);
     vtkDataArray* array = mesh->GetPointData()->GetArray(expected.name);
     if (kind < 3 && array && array->GetNumberOfValues() > 0)
     {
-      array->SetComponent(
-        bytes.Byte() % array->GetNumberOfTuples(), bytes.Below(array->GetNumberOfComponents()),
+      array->SetComponent(bytes.Byte() % array->GetNumberOfTuples(),
+        bytes.Below(array->GetNumberOfComponents()),
         array->GetDataType() == VTK_DOUBLE ? bytes.Number() : bytes.Byte());
       continue;
     }
     mesh->GetPointData()->RemoveArray(expected.name);
     if (kind < 5)
     {
-      mesh->GetPointData()->AddArray(MakeArray(expected.name,
-        bytes.Below(8) == 0 ? 1 + bytes.Below(9) : expected.components,
-        bytes.Below(8) == 0 ? bytes.Byte() : mesh->GetNumberOfPoints(), bytes));
+      mesh->GetPointData()->AddArray(
+        MakeArray(expected.name, bytes.Below(8) == 0 ? 1 + bytes.Below(9) : expected.components,
+          bytes.Below(8) == 0 ? bytes.Byte() : mesh->GetNumberOfPoints(), bytes));
     }
   }
 }
@@ -307,8 +306,8 @@ void Run(vtkAlgorithm* filter, vtkDataObject* input)
     const std::string found = output ? ridges::testing::NotFinite(output, input) : "";
     if (!found.empty())
     {
-      std::fprintf(stderr, "%s, output %d is not finite:%s\n", filter->GetClassName(), port,
-        found.c_str());
+      std::fprintf(
+        stderr, "%s, output %d is not finite:%s\n", filter->GetClassName(), port, found.c_str());
       std::abort();
     }
   }

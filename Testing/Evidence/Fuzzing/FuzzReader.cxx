@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkRidges contributors
 // SPDX-License-Identifier: BSD-3-Clause
-// Bytes as a file in the format RIDGES_FUZZ_FORMAT ("off", ...): read and repaired, or refused with a
-// Failure, in every way the program may repair it.
+// Bytes as a file in the format RIDGES_FUZZ_FORMAT ("off", ...): read and repaired, or refused with
+// a Failure, in every way the program may repair it.
 
 #include "Console.h"
 #include "FuzzTarget.h"
