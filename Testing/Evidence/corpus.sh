@@ -5,18 +5,19 @@
 # the table into Filters/Documentation/Evidence.md; two minutes.
 #
 #   Testing/Evidence/corpus.sh              with the build in build/
-#   Testing/Evidence/corpus.sh --sanitize   with that in build-asan/, made if it is missing; the
-#                                           table is printed only
+#   Testing/Evidence/corpus.sh --sanitize   with that in build-fuzz/, which needs clang; the table is
+#                                           printed only
 set -euo pipefail
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 meshes=/usr/share/doc/libcgal-dev/data.tar.gz
 corpus=(python3 "$root/Testing/Evidence/corpus.py")
 if [ "${1:-}" = --sanitize ]; then
+  "$root/.ci/install.sh" clang
   cd "$root"
-  [ -f build-asan/CMakeCache.txt ] || cmake --preset asan -DRIDGES_BUILD_PROGRAM=ON -DBUILD_TESTING=ON
-  cmake --build --preset asan --target RidgesCorpus
+  cmake --preset fuzz -DRIDGES_BUILD_PROGRAM=ON -DBUILD_TESTING=ON >/dev/null
+  cmake --build --preset fuzz --target RidgesCorpus
   # Leaks are those of what VTK keeps to the end of the process.
-  exec env ASAN_OPTIONS=detect_leaks=0 "${corpus[@]}" build-asan/bin/RidgesCorpus "$meshes" --brief
+  exec env ASAN_OPTIONS=detect_leaks=0 "${corpus[@]}" build-fuzz/bin/RidgesCorpus "$meshes" --brief
 fi
 cmake --build "$root/build" --target RidgesCorpus >&2
 "${corpus[@]}" "$root/build/bin/RidgesCorpus" "$meshes" |

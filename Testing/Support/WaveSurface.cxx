@@ -7,6 +7,7 @@
 #include <Eigen/LU>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <random>
@@ -293,6 +294,26 @@ std::vector<ExactUmbilic> FindUmbilics(const WaveSurface& surface, double halfSi
       {
         turning.push_back(p);
         std::for_each(corners, corners + 4, [&isSeed](std::size_t c) { isSeed[c] = 1; });
+      }
+    }
+  }
+
+  // Of a close pair both may be far by prediction, as the derivative is nearly singular there.
+  for (int i = 1; i + 1 < n; ++i)
+  {
+    for (int j = 1; j + 1 < n; ++j)
+    {
+      const int p = i * n + j;
+      bool isLeast = true;
+      const std::array<int, 9> around = { p - n - 1, p - n, p - n + 1, p - 1, p, p + 1, p + n - 1,
+        p + n, p + n + 1 };
+      for (const int q : around)
+      {
+        isLeast = isLeast && equations[p].value.norm() <= equations[q].value.norm();
+      }
+      for (const int q : around)
+      {
+        isSeed[q] = isSeed[q] || isLeast ? 1 : 0;
       }
     }
   }
