@@ -50,7 +50,7 @@ MeshPatch::Corner CornerAt(std::int64_t number, const double* x)
 std::string SharedMesh::Share(Ranks& ranks, const MeshPiece& piece)
 {
   this->Rank_ = ranks.Rank();
-  const std::string faults = this->Points_.Share(ranks, piece);
+  std::string faults = this->Points_.Share(ranks, piece);
   if (!faults.empty())
   {
     return faults;

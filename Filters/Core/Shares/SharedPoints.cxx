@@ -63,8 +63,7 @@ public:
   {
     const std::size_t mask = this->Table_.size() - 1;
     std::size_t at = static_cast<std::size_t>(PositionHash({ x[0], x[1], x[2] })) & mask;
-    while (this->Table_[at] >= 0 &&
-      std::memcmp(places[this->Table_[at]].x.data(), x.data(), sizeof x) != 0)
+    while (this->Table_[at] >= 0 && BitsOf(places[this->Table_[at]].x) != BitsOf(x))
     {
       at = (at + 1) & mask;
     }
@@ -77,6 +76,13 @@ public:
   }
 
 private:
+  static std::array<std::uint64_t, 3> BitsOf(const std::array<double, 3>& x)
+  {
+    std::array<std::uint64_t, 3> bits;
+    std::memcpy(bits.data(), x.data(), sizeof bits);
+    return bits;
+  }
+
   std::vector<Id> Table_;
 };
 
@@ -235,7 +241,7 @@ std::string SharedPoints::Share(Ranks& ranks, const MeshPiece& piece)
     this->SentTo_[owner].push_back(p);
   }
   const Arrivals arrivals(ExchangeValues(ranks, std::move(sent)));
-  const std::string faults = TextOfRanks(ranks, arrivals.Faults());
+  std::string faults = TextOfRanks(ranks, arrivals.Faults());
   if (!faults.empty())
   {
     return faults;
