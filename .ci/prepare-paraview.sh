@@ -17,7 +17,7 @@ if [ ! -f "$root/build-paraview/CMakeCache.txt" ]; then
   options+=(-DBUILD_TESTING=OFF)
 fi
 if [ "${1:-}" = testing ]; then
-  packages+=(libcgal-demo libgl1-mesa-dri xauth xvfb)
+  packages+=(libcgal-demo libgl1-mesa-dri openmpi-bin xauth xvfb)
   options+=(-DBUILD_TESTING=ON)
 fi
 "$root/.ci/install.sh" "${packages[@]}"

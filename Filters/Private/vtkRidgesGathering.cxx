@@ -37,12 +37,14 @@ vtkSmartPointer<vtkPolyData> vtkRidgesGathering::Gather(ridges::Ranks& ranks, vt
   std::vector<ridges::Bytes> messages(ranks.Size());
   this->Pack(messages[0]);
   messages = ranks.Exchange(std::move(messages));
-  if (ranks.Rank() > 0)
+  vtkSmartPointer<vtkPolyData> whole;
+  std::vector<std::vector<vtkIdType>> ids(ranks.Size());
+  if (ranks.Rank() == 0)
   {
-    return nullptr;
+    whole = this->Join(messages, ids);
+    whole->GetFieldData()->ShallowCopy(piece->GetFieldData());
   }
-  vtkSmartPointer<vtkPolyData> whole = this->Join(messages);
-  whole->GetFieldData()->ShallowCopy(piece->GetFieldData());
+  this->PointIds = ridges::ExchangeValues(ranks, std::move(ids)).front();
   return whole;
 }
 
@@ -81,22 +83,30 @@ void vtkRidgesGathering::Pack(ridges::Bytes& message) const
   vtkRidgesPackArrays(message, rows);
 }
 
+/// Points in the order of the pieces, so that one piece that is all keeps its numbers.
 vtkSmartPointer<vtkPolyData> vtkRidgesGathering::Join(
-  const std::vector<ridges::Bytes>& messages) const
+  const std::vector<ridges::Bytes>& messages, std::vector<std::vector<vtkIdType>>& ids) const
 {
   const std::int64_t count = this->Points.NumberOfAll();
+  std::vector<vtkIdType> idOf(count, -1);
+  vtkIdType next = 0;
   auto whole = vtkSmartPointer<vtkPolyData>::New();
   vtkNew<vtkFieldData> rows; // The first are the coordinates.
   vtkNew<vtkCellArray> polys;
-  for (const ridges::Bytes& bytes : messages)
+  for (std::size_t rank = 0; rank < messages.size(); ++rank)
   {
-    ridges::Unpacker message(bytes);
+    ridges::Unpacker message(messages[rank]);
     const std::vector<std::int64_t> numbers = message.Take<std::int64_t>();
     const std::vector<std::int64_t> corners = message.Take<std::int64_t>();
+    for (const std::int64_t number : numbers)
+    {
+      idOf[number] = idOf[number] < 0 ? next++ : idOf[number];
+      ids[rank].push_back(idOf[number]);
+    }
     for (std::size_t i = 0; i < corners.size(); i += 3)
     {
-      const vtkIdType ids[] = { corners[i], corners[i + 1], corners[i + 2] };
-      polys->InsertNextCell(3, ids);
+      const vtkIdType triangle[] = { idOf[corners[i]], idOf[corners[i + 1]], idOf[corners[i + 2]] };
+      polys->InsertNextCell(3, triangle);
     }
     vtkNew<vtkFieldData> part;
     vtkRidgesTakeArrays(message, part);
@@ -115,7 +125,7 @@ vtkSmartPointer<vtkPolyData> vtkRidgesGathering::Join(
       vtkDataArray* to = k == 0 ? rows->GetArray(0) : rows->GetArray(from->GetName());
       for (std::size_t i = 0; i < numbers.size(); ++i)
       {
-        to->SetTuple(numbers[i], static_cast<vtkIdType>(i), from);
+        to->SetTuple(ids[rank][i], static_cast<vtkIdType>(i), from);
       }
     }
   }
@@ -185,9 +195,9 @@ void vtkRidgesGathering::GiveBack(ridges::Ranks& ranks, vtkPolyData* whole, vtkP
   }
   vtkNew<vtkIdTypeArray> pointNumbers;
   pointNumbers->SetName(PointNumber);
-  for (const std::int64_t number : this->Points.NumbersOfPiece())
+  for (const vtkIdType id : this->PointIds)
   {
-    pointNumbers->InsertNextValue(number);
+    pointNumbers->InsertNextValue(id);
   }
   output->GetPointData()->AddArray(pointNumbers);
   vtkRidgesTakeArrays(message, vtkRidgesOwnFieldData(output));

@@ -35,11 +35,13 @@ public:
 
 private:
   void Pack(ridges::Bytes& message) const;
-  vtkSmartPointer<vtkPolyData> Join(const std::vector<ridges::Bytes>& messages) const;
+  vtkSmartPointer<vtkPolyData> Join(
+    const std::vector<ridges::Bytes>& messages, std::vector<std::vector<vtkIdType>>& ids) const;
 
   vtkRidgesMesh Piece;
   ridges::SharedPoints Points;
-  std::vector<vtkIdType> First; ///< Triangle of each rank, and how many there are.
+  std::vector<vtkIdType> PointIds; ///< Of the points of the piece, in the gathered mesh.
+  std::vector<vtkIdType> First;    ///< Triangle of each rank, and how many there are.
 };
 
 #endif

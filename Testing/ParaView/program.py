@@ -52,6 +52,8 @@ class AgainstProgram(unittest.TestCase):
         for port, name in enumerate(("ridges", "umbilics", "mesh")):
             expected = arrays(read(f"{prefix}-{name}.vtp"))
             found = arrays(fetch(whole, port))
+            # Numbers in the whole mesh are said where it may be in pieces.
+            found = {key: value for key, value in found.items() if " Gathered" not in key}
             self.assertEqual(set(found), set(expected))
             for key, values in expected.items():
                 np.testing.assert_array_equal(found[key], values, err_msg=f"{name}: {key}")

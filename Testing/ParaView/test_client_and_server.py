@@ -1,8 +1,9 @@
 # SPDX-FileCopyrightText: Copyright (c) vtkRidges contributors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The plugin in a pvserver, used by a client."""
+"""The plugin in a pvserver, of one rank or of several, used by a client."""
 
 import os
+import shlex
 import socket
 import subprocess
 import unittest
@@ -18,7 +19,7 @@ def start_server():
         probe.bind(("127.0.0.1", 0))
         port = probe.getsockname()[1]
     server = subprocess.Popen(
-        [os.environ["RIDGES_PVSERVER"], f"--server-port={port}"],
+        [*shlex.split(os.environ["RIDGES_PVSERVER"]), f"--server-port={port}"],
         stdout=subprocess.PIPE,
         stderr=subprocess.STDOUT,
         text=True,

@@ -285,7 +285,7 @@ class TestBadInput(unittest.TestCase):
                 proxy = getattr(simple, name)(Input=example(), Neighborhood="Radius")
                 proxy.UpdatePipeline()
                 self.assertEqual(
-                    messages.lines_of("vtk" + name),
+                    messages.lines_of("vtkP" + name),
                     ["Neighborhood is by radius, but Radius is 0: set a positive one."],
                 )
                 self.assertEqual(fetch(proxy).GetNumberOfCells(), 0)
