@@ -7,6 +7,7 @@
 #include "ParallelTestTools.h"
 
 #include "vtkFieldData.h"
+#include "vtkMultiProcessController.h"
 #include "vtkNew.h"
 #include "vtkPJetFitting.h"
 #include "vtkPointData.h"
@@ -15,6 +16,7 @@
 
 #include <functional>
 #include <string>
+#include <utility>
 
 using namespace ridges::testing;
 
@@ -104,4 +106,27 @@ TEST(PJetFitting, GivesTheBytesOfOneRankInAnyNeighborhood)
       ExpectTheSameJets(expected, meshes[i], Partition::Strips, set);
     }
   }
+}
+
+// What is wrong with the mesh is counted once, wherever its pieces are: the warnings are compared.
+TEST(PJetFitting, CountsFaultsOnce)
+{
+  NamedMesh named{ "faulty", EllipsoidMesh(10, 1.0, 0.8, 0.6) };
+  Mesh& mesh = named.mesh;
+  for (const std::size_t t : { 100, 500, 900 })
+  {
+    const auto tip = static_cast<std::int32_t>(mesh.PointCount());
+    mesh.AddPoint(1.2 * mesh.Point(mesh.triangles[3 * t]));
+    mesh.AddTriangle(mesh.triangles[3 * t], mesh.triangles[3 * t + 1], tip); // a fin
+    std::swap(mesh.triangles[3 * t + 60], mesh.triangles[3 * t + 61]);       // upside down
+  }
+  const Properties none = [](vtkJetFitting*) {};
+  const Expected expected = OnOneRank(mesh, none);
+  if (Controller()->GetLocalProcessId() == 0)
+  {
+    EXPECT_NE(expected.warnings.find("3 edges with more than two triangles"), std::string::npos);
+    EXPECT_NE(expected.warnings.find("9 edges lie between"), std::string::npos);
+  }
+  ExpectTheSameJets(expected, named, Partition::Random, none);
+  ExpectTheSameJets(expected, named, Partition::Blocks, none);
 }
