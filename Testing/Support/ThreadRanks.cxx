@@ -84,6 +84,7 @@ public:
     this->Table_.messages[this->Rank_] = std::move(messages);
     this->Table_.Wait();
     std::vector<Bytes> received;
+    received.reserve(this->Size_);
     for (int from = 0; from < this->Size_; ++from)
     {
       received.push_back(this->Table_.messages[from].at(this->Rank_));
@@ -109,6 +110,7 @@ void OnThreadRanks(int count, const std::function<void(Ranks&)>& body)
 {
   Table table(count);
   std::vector<std::thread> threads;
+  threads.reserve(count);
   for (int rank = 0; rank < count; ++rank)
   {
     threads.emplace_back(
