@@ -174,8 +174,7 @@ Estimates ByFilter(const KnownMesh& known, int degree)
     result.order = std::min(degree, 4);
     jets->SetMongeOrder(result.order);
   }
-  result.microseconds =
-    MicrosecondsPerPoint([&jets] { jets->Update(); }, known.mesh.PointCount());
+  result.microseconds = MicrosecondsPerPoint([&jets] { jets->Update(); }, known.mesh.PointCount());
   vtkPointData* data = jets->GetOutput()->GetPointData();
   result.forms.resize(known.mesh.PointCount());
   for (std::size_t p = 0; p < result.forms.size(); ++p)
@@ -297,8 +296,8 @@ void PrintRow(const std::string& mesh, const std::string& method, const Estimate
 //------------------------------------------------------------------------------
 void PrintHead(const char* first)
 {
-  std::printf("\n| %-26s | %-20s | %-7s | %-7s | %-7s | %-7s | %-7s | %6s |\n", first, "fit", "k", "d",
-    "b", "c", "P", "time");
+  std::printf("\n| %-26s | %-20s | %-7s | %-7s | %-7s | %-7s | %-7s | %6s |\n", first, "fit", "k",
+    "d", "b", "c", "P", "time");
   std::printf("|%s|%s|%s|%s|%s|%s|%s|%s|\n", std::string(28, '-').c_str(),
     std::string(22, '-').c_str(), std::string(9, '-').c_str(), std::string(9, '-').c_str(),
     std::string(9, '-').c_str(), std::string(9, '-').c_str(), std::string(9, '-').c_str(),
@@ -391,9 +390,9 @@ void ShowBorder()
   constexpr double halfSize = 1.5;
   const AnalyticSurface surface(
     [](auto x, auto y, auto z) { return x * x / 1.69 + y * y - z * z / 0.64 + 1.0; });
-  const Mesh mesh = GraphPatch([](double x, double y)
-    { return 0.8 * std::sqrt(1.0 + x * x / 1.69 + y * y); },
-    halfSize, cells, 0.2, 1);
+  const Mesh mesh =
+    GraphPatch([](double x, double y) { return 0.8 * std::sqrt(1.0 + x * x / 1.69 + y * y); },
+      halfSize, cells, 0.2, 1);
   KnownMesh known = MakeKnown("", Flip(mesh), surface);
   const Estimates automatic = ByFilter(known, 0);
   const Estimates fixed = ByFilter(known, 4);

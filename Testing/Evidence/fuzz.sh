@@ -34,7 +34,7 @@ for target in "${targets[@]}"; do
   mkdir -p "$corpus"
   RIDGES_FUZZ_SEEDS=$corpus "build-fuzz/bin/$target"
   outcome=clean
-  "build-fuzz/bin/$target" "$corpus" -max_total_time="$seconds" -timeout=60 -rss_limit_mb=2048 \
+  "build-fuzz/bin/$target" "$corpus" -max_total_time="$seconds" -timeout=120 -rss_limit_mb=2048 \
     -max_len=4096 -print_final_stats=1 -artifact_prefix="build-fuzz/$target-" >"$log" 2>&1 || {
     outcome=$(grep -m 1 -E 'ERROR|SUMMARY|runtime error|not finite' "$log" | cut -c 1-120)
     status=1

@@ -97,7 +97,7 @@ void RunFoliation(vtkPolyData* mesh, FuzzBytes& bytes)
   vtkNew<vtkPrincipalFoliation> foliation;
   foliation->SetDirection(bytes.Below(3));
   // Not smaller, nor of a smaller model: there would be millions of lines, as asked for.
-  foliation->SetSeparation(0.05 + bytes.Byte() / 256.0);
+  foliation->SetSeparation(0.15 + bytes.Byte() / 256.0);
   foliation->SetModelSize(bytes.Flag() ? 1.0 + bytes.Byte() : 0.0);
   foliation->SetInputData(mesh);
   fuzz::Run(foliation, mesh);
