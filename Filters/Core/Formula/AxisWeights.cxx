@@ -66,13 +66,13 @@ AxisWeights::AxisWeights(double index, double smoothing, int size)
   }
   // Weights g(s) c.(1, s, ...) that take s^m to its smoothed coefficient: gram c = powers.
   const Eigen::Matrix<double, Orders, Orders> c = gram.ldlt().solve(powers);
-  this->weights.resize(static_cast<std::size_t>(Orders) * this->count);
+  this->Weights_.resize(static_cast<std::size_t>(Orders) * this->count);
   double unit = 1.0; // coefficients are by samples, not by standard deviations
   for (int n = 0; n < Orders; ++n)
   {
     for (int i = 0; i < this->count; ++i)
     {
-      this->weights[static_cast<std::size_t>(n) * this->count + i] =
+      this->Weights_[static_cast<std::size_t>(n) * this->count + i] =
         gauss[i] * monomials[i].dot(c.col(n)) / unit;
     }
     unit *= sigma;

@@ -27,13 +27,13 @@ struct AxisWeights
 
   double operator()(int order, int i) const
   {
-    return this->weights[static_cast<std::size_t>(order) * this->count + i];
+    return this->Weights_[static_cast<std::size_t>(order) * this->count + i];
   }
   /// Whether too few samples are within reach.
   bool IsEmpty() const { return this->count < Orders; }
 
 private:
-  std::vector<double> weights; ///< Order after order.
+  std::vector<double> Weights_; ///< Order after order.
 };
 
 } // namespace ridges

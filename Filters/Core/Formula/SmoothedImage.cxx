@@ -52,6 +52,7 @@ void SmoothedImage::Smooth(int axis, double deviation, const RangeLoop& loop)
     blocks *= static_cast<std::size_t>(size[i]);
   }
   std::vector<AxisWeights> weights;
+  weights.reserve(extent);
   for (int i = 0; i < size[axis]; ++i)
   {
     weights.emplace_back(i, deviation, size[axis]);
