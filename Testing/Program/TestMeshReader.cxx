@@ -129,6 +129,30 @@ TEST(MeshReader, AcceptsAByteOrderMarkAndEitherLineEndInTextFormats)
   }
 }
 
+TEST(MeshReader, DoesNotMakeRoomForComponentsThatTheFileCannotHold)
+{
+  int files = 0;
+  for (const MeshBytes& file : WriteInAllFormats(Ellipsoid(2)))
+  {
+    std::string bytes = file.bytes;
+    const std::string good = "NumberOfComponents=\"3\"";
+    const std::size_t at = bytes.find(good);
+    if (file.name.find(".vtp") != std::string::npos && at != std::string::npos)
+    {
+      EXPECT_EQ(FailureOf(bytes, file.name), "none");
+      // Not more than the file can hold, but so if there are as many for each point.
+      const bool isCompressed = bytes.find("compressor=") != std::string::npos;
+      const std::size_t most = (isCompressed ? 275 : 1) * bytes.size();
+      bytes.replace(at, good.size(), "NumberOfComponents=\"" + std::to_string(most - 9) + "\"");
+      EXPECT_NE(FailureOf(bytes, file.name).find("an array is larger than the file can hold"),
+        std::string::npos)
+        << file.name;
+      ++files;
+    }
+  }
+  EXPECT_GE(files, 2);
+}
+
 TEST(MeshReader, DoesNotMakeRoomForCornersThatTheFileCannotHold)
 {
   for (const MeshBytes& file : WriteInAllFormats(Ellipsoid(2)))

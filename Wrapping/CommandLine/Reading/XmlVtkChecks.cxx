@@ -6,6 +6,7 @@
 #include "Reading/ByteOrder.h"
 #include "Reading/TextLines.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 
@@ -66,6 +67,22 @@ bool Decode(std::string_view text, char* bytes, std::size_t size)
   return count == size;
 }
 
+/// Of a piece.
+struct Counts
+{
+  double points = 0.0;
+  double cells = 0.0;
+};
+
+Counts CountsOf(std::string_view piece)
+{
+  const auto count = [piece](std::string_view name)
+  { return ToReal(Attribute(piece, name)).value_or(0.0); };
+  return { count("NumberOfPoints"),
+    count("NumberOfVerts") + count("NumberOfLines") + count("NumberOfStrips") +
+      count("NumberOfPolys") };
+}
+
 class XmlVtkChecker
 {
 public:
@@ -79,13 +96,27 @@ public:
   void Check() const
   {
     this->CheckCounts();
-    for (std::size_t at = this->Bytes.find("<DataArray"); at != std::string_view::npos;
-         at = this->Bytes.find("<DataArray", at + 1))
+    Counts counts;
+    double tuples = 0.0; // of arrays in the element at hand; 0 where the element does not say
+    const std::size_t end = std::min(this->Appended, this->Bytes.size());
+    for (std::size_t at = this->Bytes.find('<'); at < end; at = this->Bytes.find('<', at + 1))
     {
-      const std::size_t end = this->Bytes.find('>', at);
-      if (end != std::string_view::npos)
+      const std::string_view tag = this->TagAt(at);
+      const std::string_view name = tag.substr(1, tag.find_first_of(" \t\r\n/", 1) - 1);
+      if (name == "Piece")
       {
-        this->CheckArray(this->Bytes.substr(at, end - at), end + 1);
+        counts = CountsOf(tag);
+      }
+      else if (name == "DataArray")
+      {
+        this->CheckLength(tag, tuples);
+        this->CheckArray(tag, at + tag.size() + 1);
+      }
+      else if (!name.empty())
+      {
+        tuples = name == "PointData" || name == "Points" ? counts.points
+          : name == "CellData"                           ? counts.cells
+                                                         : 0.0;
       }
     }
   }
@@ -150,6 +181,17 @@ private:
       {
         this->Fail(": " + Quoted(name) + " is more than the file can hold");
       }
+    }
+  }
+
+  /// A value has a byte at least, before it is compressed.
+  void CheckLength(std::string_view tag, double tuples) const
+  {
+    const double components = ToReal(Attribute(tag, "NumberOfComponents")).value_or(1.0);
+    const double own = ToReal(Attribute(tag, "NumberOfTuples")).value_or(0.0);
+    if (components * std::max(tuples, own) > this->MostBytes())
+    {
+      this->Fail(": an array is larger than the file can hold");
     }
   }
 
