@@ -4,6 +4,7 @@
 
 #include "Core/Base/Finite.h"
 #include "vtkRidgesArrayReader.h"
+#include "vtkRidgesRangeLoop.h"
 #include "vtkRidgesTriangleFetch.h"
 #include "vtkRidgesTriangulate.h"
 
@@ -34,19 +35,6 @@ namespace
 
 using ridges::Id;
 using ridges::Triangle;
-
-void LendThreads(Id count, const std::function<void(Id, Id)>& body)
-{
-  vtkSMPTools::For(0, count,
-    [&body](vtkIdType begin, vtkIdType end)
-    { body(static_cast<Id>(begin), static_cast<Id>(end)); });
-}
-
-/// Shares of the triangles to build the incidence from: memory is taken for each.
-Id NumberOfShares()
-{
-  return std::clamp(vtkSMPTools::GetEstimatedNumberOfThreads(), 1, 8);
-}
 
 vtkIdType CountTriangulatedCells(vtkPolyData* input)
 {
@@ -341,8 +329,9 @@ std::string vtkRidgesMesh::BuildAnew(
       duplicates == Duplicates::Kept && std::find(usable.begin(), usable.end(), 0) == usable.end();
   }
   const auto numberOfPoints = static_cast<Id>(this->PolyData->GetNumberOfPoints());
-  adjacency->triangles = ridges::TriangleMesh(adjacency->points, numberOfPoints,
-    std::move(triangles), ridges::TriangleMesh::Edges::NotBuilt, LendThreads, NumberOfShares());
+  adjacency->triangles =
+    ridges::TriangleMesh(adjacency->points, numberOfPoints, std::move(triangles),
+      ridges::TriangleMesh::Edges::NotBuilt, vtkRidgesRangeLoop, vtkRidgesSharesOfThreads());
   this->Take(std::move(adjacency));
   return {};
 }
@@ -361,7 +350,7 @@ void vtkRidgesMesh::BuildEdges()
   const std::lock_guard<std::mutex> lock(this->Shared->edgesMutex);
   if (!this->Shared->hasEdges)
   {
-    this->Shared->triangles.BuildEdges(LendThreads);
+    this->Shared->triangles.BuildEdges(vtkRidgesRangeLoop);
     this->Shared->hasEdges = true;
   }
 }
@@ -379,7 +368,7 @@ bool vtkRidgesMesh::IsHidden(ridges::Id point) const
 
 int vtkRidgesMesh::GetEulerCharacteristic() const
 {
-  return this->Triangles->EulerCharacteristic(LendThreads);
+  return this->Triangles->EulerCharacteristic(vtkRidgesRangeLoop);
 }
 
 vtkIdType vtkRidgesMesh::CountCoincidentPoints() const
@@ -422,12 +411,7 @@ void vtkRidgesMesh::Adopt(vtkPolyData* data, ridges::TriangleMesh triangles)
   this->Take(std::move(adjacency));
 }
 
-ridges::RangeLoop vtkRidgesLentThreads()
-{
-  return LendThreads;
-}
-
 ridges::Id vtkRidgesSharesOfThreads()
 {
-  return NumberOfShares();
+  return std::clamp(vtkSMPTools::GetEstimatedNumberOfThreads(), 1, 8);
 }

@@ -118,8 +118,8 @@ private:
 /// Of the points before `end`, those that have triangles and coincide with another one.
 vtkIdType vtkRidgesCountCoincidentPoints(const ridges::TriangleMesh& mesh, ridges::Id end);
 
-/// What TriangleMesh takes to be built on all threads.
-ridges::RangeLoop vtkRidgesLentThreads();
+/// Shares of the triangles for TriangleMesh to be built from on all threads: memory is taken for
+/// each.
 ridges::Id vtkRidgesSharesOfThreads();
 
 #endif

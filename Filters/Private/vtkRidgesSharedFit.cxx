@@ -15,6 +15,7 @@
 #include "vtkRidgesMesh.h"
 #include "vtkRidgesMongeOutput.h"
 #include "vtkRidgesPiece.h"
+#include "vtkRidgesRangeLoop.h"
 #include "vtkRidgesSharedInput.h"
 #include "vtkRidgesSharedRows.h"
 #include "vtkRidgesUmbilicMarks.h"
@@ -152,12 +153,11 @@ bool SharedFit::FitShare(const vtkRidgesFitPoints::Settings& settings,
   const std::vector<Id>& points, int rings, std::vector<int>& reach)
 {
   const ridges::MeshShare share(
-    this->Ranks, this->Shared, points, rings, vtkRidgesLentThreads(), vtkRidgesSharesOfThreads());
+    this->Ranks, this->Shared, points, rings, vtkRidgesRangeLoop, vtkRidgesSharesOfThreads());
   const ridges::TriangleMesh& mesh = share.Mesh();
   ridges::OrderedRings ordered(mesh);
-  const auto build = [&ordered](vtkIdType begin, vtkIdType end)
-  { ordered.Build(static_cast<Id>(begin), static_cast<Id>(end)); };
-  vtkSMPTools::For(0, mesh.NumberOfPoints(), build);
+  vtkRidgesRangeLoop(
+    mesh.NumberOfPoints(), [&ordered](Id begin, Id end) { ordered.Build(begin, end); });
 
   const auto count = static_cast<vtkIdType>(points.size());
   auto values = std::make_unique<vtkRidgesMongeOutput>(count, this->Order, settings.standardErrors);
@@ -255,7 +255,7 @@ void SharedFit::Average(vtkPointData* values)
   std::vector<Id> points(this->Shared.NumberOfOwned());
   std::iota(points.begin(), points.end(), 0);
   ridges::MeshShare share(this->Ranks, this->Shared, std::move(points),
-    this->Choice.numberOfAverages, vtkRidgesLentThreads(), vtkRidgesSharesOfThreads());
+    this->Choice.numberOfAverages, vtkRidgesRangeLoop, vtkRidgesSharesOfThreads());
   vtkNew<vtkPolyData> data;
   vtkRidgesRowsOfShare(this->Ranks, share, values, data->GetPointData());
 
