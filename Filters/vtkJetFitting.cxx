@@ -128,8 +128,7 @@ int vtkJetFitting::RequestData(
   ridges::JetChoice choice;
   if (isAutomatic)
   {
-    const ridges::JetSelection selection(std::clamp(order, 2, 3), this->Degree);
-    if (!vtkRidgesSelectJets(this, triangles, rings, selection, 0.2, 0.3, choice))
+    if (!vtkRidgesSelectJets(this, triangles, rings, 0.2, 0.3, choice))
     {
       return 1;
     }
@@ -137,8 +136,7 @@ int vtkJetFitting::RequestData(
   }
   vtkRidgesFitPoints fitPoints(triangles, rings, settings, arrays);
   const double begin = isAutomatic ? 0.3 : 0.2;
-  const vtkIdType batch = settings.degree > 4 ? 1 << 15 : 1 << 17;
-  if (!vtkRidgesForBatches(this, count, begin, 1.0, fitPoints, batch))
+  if (!vtkRidgesForBatches(this, count, begin, 1.0, fitPoints, fitPoints.BatchSize()))
   {
     return 1;
   }
@@ -152,14 +150,9 @@ int vtkJetFitting::RequestData(
   output->ShallowCopy(mesh.GetPolyData());
   arrays.AddTo(output->GetPointData());
   vtkRidgesUmbilicMarks::RemoveFrom(output);
-  // Without P1 and P2 there are no types to flicker.
-  if (isAutomatic && choice.numberOfAverages > 0 && order == 4)
+  if (choice.numberOfAverages > 0)
   {
     vtkRidgesAverageJets(mesh, output, choice);
-  }
-  else
-  {
-    choice.numberOfAverages = 0;
   }
   vtkRidgesStoreJetChoice(output, isAutomatic && count > 0 ? &choice : nullptr);
   mesh.HandOnWith(output);

@@ -35,6 +35,9 @@ public:
   /// surface does not. `reach` has 0 for each point at the start.
   void NoteReach(std::vector<int>& reach) { this->Reach = &reach; }
 
+  /// Points that take some tenths of a second: see vtkRidgesForBatches.
+  vtkIdType BatchSize() const { return this->Wanted.degree > 4 ? 1 << 15 : 1 << 17; }
+
   void operator()(vtkIdType begin, vtkIdType end);
 
 private:

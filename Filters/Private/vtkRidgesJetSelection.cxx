@@ -6,6 +6,7 @@
 #include "vtkRidgesArrayNames.h"
 #include "vtkRidgesBatches.h"
 #include "vtkRidgesFieldData.h"
+#include "vtkRidgesFitSettings.h"
 #include "vtkRidgesMesh.h"
 #include "vtkRidgesPerThread.h"
 
@@ -22,7 +23,6 @@
 #include <numeric>
 #include <sstream>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace names = vtkRidgesArrayNames;
@@ -166,9 +166,11 @@ struct MeshOfRanks
 };
 
 template <typename Mesh>
-bool Select(vtkAlgorithm* filter, const Mesh& where, ridges::JetSelection selection, double from,
-  double to, ridges::JetChoice& choice)
+bool Select(
+  vtkJetFitting* filter, const Mesh& where, double from, double to, ridges::JetChoice& choice)
 {
+  const int order = vtkRidgesFitOrder(filter);
+  ridges::JetSelection selection(std::clamp(order, 2, 3), filter->GetDegree());
   using Sample = std::vector<ridges::Id>;
   std::vector<ridges::JetTrial> trials;
   while (!where.IsEmpty() && selection.NextRings() > 0)
@@ -190,6 +192,8 @@ bool Select(vtkAlgorithm* filter, const Mesh& where, ridges::JetSelection select
     selection.Add(trials);
   }
   choice = selection.Choice();
+  // Without P1 and P2 there are no types to flicker.
+  choice.numberOfAverages = order < 4 ? 0 : choice.numberOfAverages;
   // A polynomial on fewer follows what neighbours have in common.
   constexpr int fewestRings = 5;
   const int rings = std::max(choice.numberOfRings, fewestRings);
@@ -210,20 +214,19 @@ bool Select(vtkAlgorithm* filter, const Mesh& where, ridges::JetSelection select
 
 } // namespace
 
-bool vtkRidgesSelectJets(vtkAlgorithm* filter, const ridges::TriangleMesh& mesh,
-  const ridges::OrderedRings& rings, ridges::JetSelection selection, double from, double to,
-  ridges::JetChoice& choice)
+bool vtkRidgesSelectJets(vtkJetFitting* filter, const ridges::TriangleMesh& mesh,
+  const ridges::OrderedRings& rings, double from, double to, ridges::JetChoice& choice)
 {
   WholeMesh whole{ mesh, rings, ridges::ShapeSample(mesh, WantedPoints) };
-  return Select(filter, whole, std::move(selection), from, to, choice);
+  return Select(filter, whole, from, to, choice);
 }
 
-bool vtkRidgesSelectJets(vtkAlgorithm* filter, ridges::Ranks& ranks, ridges::SharedMesh& shared,
-  ridges::JetSelection selection, double from, double to, ridges::JetChoice& choice)
+bool vtkRidgesSelectJets(vtkJetFitting* filter, ridges::Ranks& ranks, ridges::SharedMesh& shared,
+  double from, double to, ridges::JetChoice& choice)
 {
   MeshOfRanks mesh{ ranks, shared,
     ridges::ShapeSample(shared.Around(), shared.NumberOfOwned(), WantedPoints, ranks) };
-  return Select(filter, mesh, std::move(selection), from, to, choice);
+  return Select(filter, mesh, from, to, choice);
 }
 
 void vtkRidgesAverageJets(

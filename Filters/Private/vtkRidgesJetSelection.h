@@ -6,19 +6,18 @@
 #include "Core/Fit/JetSelection.h"
 #include "Core/Shares/SharedMesh.h"
 
-class vtkAlgorithm;
+class vtkJetFitting;
 class vtkPolyData;
 class vtkRidgesMesh;
 
-/// The degree and the rings that a selection chooses by trials on a sample of the points. False if
-/// the user aborted.
-bool vtkRidgesSelectJets(vtkAlgorithm* filter, const ridges::TriangleMesh& mesh,
-  const ridges::OrderedRings& rings, ridges::JetSelection selection, double from, double to,
-  ridges::JetChoice& choice);
+/// What the filter chooses, as far as its properties let it, by trials on a sample of the points.
+/// False if the user aborted.
+bool vtkRidgesSelectJets(vtkJetFitting* filter, const ridges::TriangleMesh& mesh,
+  const ridges::OrderedRings& rings, double from, double to, ridges::JetChoice& choice);
 
 /// The same choice of a mesh that is shared between ranks, on all of them.
-bool vtkRidgesSelectJets(vtkAlgorithm* filter, ridges::Ranks& ranks, ridges::SharedMesh& shared,
-  ridges::JetSelection selection, double from, double to, ridges::JetChoice& choice);
+bool vtkRidgesSelectJets(vtkJetFitting* filter, ridges::Ranks& ranks, ridges::SharedMesh& shared,
+  double from, double to, ridges::JetChoice& choice);
 
 /// Replaces the fitted arrays by their averages. `mesh` is that of `fitted`.
 void vtkRidgesAverageJets(

@@ -123,9 +123,7 @@ bool SharedFit::Choose(vtkRidgesFitPoints::Settings& settings)
   {
     return true;
   }
-  const ridges::JetSelection selection(std::clamp(this->Order, 2, 3), this->Filter->GetDegree());
-  if (!vtkRidgesSelectJets(
-        this->Filter, this->Ranks, this->Shared, selection, 0.1, 0.3, this->Choice))
+  if (!vtkRidgesSelectJets(this->Filter, this->Ranks, this->Shared, 0.1, 0.3, this->Choice))
   {
     return false;
   }
@@ -164,8 +162,8 @@ bool SharedFit::FitShare(const vtkRidgesFitPoints::Settings& settings,
   reach.assign(points.size(), 0);
   vtkRidgesFitPoints fitPoints(mesh, ordered, settings, *values);
   fitPoints.NoteReach(reach);
-  const vtkIdType batch = settings.degree > 4 ? 1 << 15 : 1 << 17;
-  const bool isDone = vtkRidgesForBatches(this->Filter, count, 0.3, 0.9, fitPoints, batch);
+  const bool isDone =
+    vtkRidgesForBatches(this->Filter, count, 0.3, 0.9, fitPoints, fitPoints.BatchSize());
   if (ridges::IsAnywhere(this->Ranks, !isDone))
   {
     return false;
@@ -298,14 +296,9 @@ void SharedFit::Store(vtkPolyData* output)
   vtkNew<vtkPointData> values;
   this->Values->AddTo(values);
   this->Values = nullptr;
-  // Without P1 and P2 there are no types to flicker.
-  if (this->IsAutomatic && this->Choice.numberOfAverages > 0 && this->Order == 4)
+  if (this->Choice.numberOfAverages > 0)
   {
     this->Average(values);
-  }
-  else
-  {
-    this->Choice.numberOfAverages = 0;
   }
   this->Shared.Release();
   output->ShallowCopy(this->Piece.GetPolyData());
