@@ -77,8 +77,7 @@ int vtkJetFitting::RequestUpdateExtent(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   // Ranks that share the mesh get what they need from each other.
-  const ridges::Ranks* ranks = this->GetRanks();
-  if (!ranks || ranks->Size() == 1)
+  if (!ridges::AreSeveral(this->GetRanks()))
   {
     vtkRidgesRequestGhostLevels(inputVector[0], vtkRidgesGhostLevelsOf(this));
   }
@@ -89,7 +88,7 @@ int vtkJetFitting::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   ridges::Ranks* ranks = this->GetRanks();
-  if (ranks && ranks->Size() > 1)
+  if (ridges::AreSeveral(ranks))
   {
     return vtkRidgesSharedFit(this, *ranks, inputVector[0], vtkPolyData::GetData(outputVector));
   }

@@ -21,7 +21,6 @@
 #include <array>
 #include <string>
 #include <type_traits>
-#include <vector>
 
 vtkStandardNewMacro(vtkRidgesAndUmbilics);
 
@@ -246,8 +245,7 @@ int vtkRidgesAndUmbilics::RequestUpdateExtent(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   // Ranks that share the mesh get what they need from each other.
-  const ridges::Ranks* ranks = this->GetRanks();
-  if (!ranks || ranks->Size() == 1)
+  if (!ridges::AreSeveral(this->GetRanks()))
   {
     vtkRidgesRequestGhostLevels(inputVector[0],
       vtkRidgesGhostLevelsOf(this->Internals->jets) +
@@ -261,7 +259,7 @@ int vtkRidgesAndUmbilics::RequestData(
   vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
   ridges::Ranks* ranks = this->GetRanks();
-  if (ranks && ranks->Size() > 1)
+  if (ridges::AreSeveral(ranks))
   {
     return this->RequestSharedData(*ranks, inputVector, outputVector);
   }
@@ -333,12 +331,10 @@ int vtkRidgesAndUmbilics::RequestSharedData(
   if (!isDone)
   {
     // That of the first rank is the error of all. There is none if the user aborted.
-    const std::string& own = internals.errorText;
-    const std::vector<char> text =
-      ridges::GatherAllValues(ranks, std::vector<char>(own.begin(), own.end())).front();
+    const std::string text = ridges::GatherAllTexts(ranks, internals.errorText).front();
     if (!text.empty())
     {
-      vtkErrorMacro(<< std::string(text.begin(), text.end()));
+      vtkErrorMacro(<< text);
     }
     return text.empty() ? 1 : 0;
   }

@@ -15,16 +15,6 @@
 namespace
 {
 
-std::vector<char> Characters(const std::string& text)
-{
-  return std::vector<char>(text.begin(), text.end());
-}
-
-std::string TextOf(const std::vector<char>& characters)
-{
-  return std::string(characters.begin(), characters.end());
-}
-
 std::string NameOf(vtkAbstractArray* array)
 {
   return array->GetName() ? array->GetName() : "";
@@ -34,7 +24,7 @@ void PackStrings(ridges::Bytes& message, vtkStringArray* strings)
 {
   for (vtkIdType i = 0; i < strings->GetNumberOfValues(); ++i)
   {
-    ridges::Pack(message, Characters(strings->GetValue(i)));
+    ridges::PackText(message, strings->GetValue(i));
   }
 }
 
@@ -44,7 +34,7 @@ void PackNumbers(ridges::Bytes& message, vtkDataArray* numbers)
   for (int i = 0; i < width; ++i)
   {
     const char* name = numbers->GetComponentName(i);
-    ridges::Pack(message, Characters(name ? name : ""));
+    ridges::PackText(message, name ? name : "");
   }
   const auto size = static_cast<std::size_t>(numbers->GetNumberOfValues()) *
     static_cast<std::size_t>(numbers->GetDataTypeSize());
@@ -64,7 +54,7 @@ vtkSmartPointer<vtkAbstractArray> TakeStrings(
   strings->SetNumberOfTuples(tuples);
   for (vtkIdType i = 0; i < strings->GetNumberOfValues(); ++i)
   {
-    strings->SetValue(i, TextOf(message.Take<char>()));
+    strings->SetValue(i, message.TakeText());
   }
   return strings;
 }
@@ -77,7 +67,7 @@ vtkSmartPointer<vtkAbstractArray> TakeNumbers(
   numbers->SetNumberOfTuples(tuples);
   for (int i = 0; i < width; ++i)
   {
-    const std::string name = TextOf(message.Take<char>());
+    const std::string name = message.TakeText();
     if (!name.empty())
     {
       numbers->SetComponentName(i, name.c_str());
@@ -108,7 +98,7 @@ void vtkRidgesPackArrays(ridges::Bytes& message, vtkFieldData* arrays)
   ridges::Pack(message, std::vector<std::int64_t>{ static_cast<std::int64_t>(sent.size()) });
   for (vtkAbstractArray* array : sent)
   {
-    ridges::Pack(message, Characters(NameOf(array)));
+    ridges::PackText(message, NameOf(array));
     ridges::Pack(message,
       std::vector<std::int64_t>{
         array->GetDataType(), array->GetNumberOfTuples(), array->GetNumberOfComponents() });
@@ -128,7 +118,7 @@ void vtkRidgesTakeArrays(ridges::Unpacker& message, vtkFieldData* arrays)
   const std::vector<std::int64_t> count = message.Take<std::int64_t>();
   for (std::int64_t i = 0; !count.empty() && i < count.front(); ++i)
   {
-    const std::string name = TextOf(message.Take<char>());
+    const std::string name = message.TakeText();
     const std::vector<std::int64_t> shape = message.Take<std::int64_t>();
     const auto type = static_cast<int>(shape[0]);
     const auto width = static_cast<int>(shape[2]);

@@ -55,12 +55,9 @@ std::string DescribeArrays(vtkPolyData* piece)
 std::string Difference(ridges::Ranks& ranks, const std::string& text, bool hasSay, const char* what)
 {
   const std::vector<char> says = ridges::GatherAllOne<char>(ranks, hasSay ? 1 : 0);
-  const std::vector<std::vector<char>> texts =
-    ridges::GatherAllValues(ranks, std::vector<char>(text.begin(), text.end()));
-  const auto textOf = [&texts](std::size_t rank)
-  {
-    const std::string own(texts[rank].begin(), texts[rank].end());
-    return "rank " + std::to_string(rank) + " has " + (own.empty() ? "none" : own);
+  const std::vector<std::string> texts = ridges::GatherAllTexts(ranks, text);
+  const auto textOf = [&texts](std::size_t rank) {
+    return "rank " + std::to_string(rank) + " has " + (texts[rank].empty() ? "none" : texts[rank]);
   };
   std::size_t first = texts.size();
   for (std::size_t rank = 0; rank < texts.size(); ++rank)

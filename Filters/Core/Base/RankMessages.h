@@ -6,6 +6,7 @@
 #define ridges_RankMessages_h
 
 #include "Base/Ranks.h"
+#include "Base/Types.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -36,6 +37,11 @@ void Pack(Bytes& bytes, const std::vector<T>& values)
   }
 }
 
+inline void PackText(Bytes& bytes, const std::string& text)
+{
+  Pack(bytes, std::vector<char>(text.begin(), text.end()));
+}
+
 /// Takes values in the order in which they were packed. An empty message has none.
 class Unpacker
 {
@@ -63,6 +69,12 @@ public:
     return values;
   }
 
+  std::string TakeText()
+  {
+    const std::vector<char> text = this->Take<char>();
+    return std::string(text.begin(), text.end());
+  }
+
 private:
   const Bytes& Bytes_;
   std::size_t At_ = 0;
@@ -85,6 +97,42 @@ std::vector<std::vector<T>> ExchangeValues(Ranks& ranks, std::vector<std::vector
     messages[rank] = Bytes();
   }
   return values;
+}
+
+/**
+ * Rows of `width` values that other ranks have asked for: `asked` has the rows of `values` for each
+ * rank, `places` where those from each rank belong in the result, each place once.
+ */
+template <typename T>
+std::vector<T> ExchangeRows(Ranks& ranks, const T* values, int width,
+  const std::vector<std::vector<Id>>& asked, const std::vector<std::vector<Id>>& places)
+{
+  const auto rowAt = [width](Id row) { return static_cast<std::size_t>(width) * row; };
+  std::vector<std::vector<T>> replies(asked.size());
+  for (std::size_t rank = 0; rank < asked.size(); ++rank)
+  {
+    replies[rank].reserve(asked[rank].size() * width);
+    for (const Id row : asked[rank])
+    {
+      const T* from = values + rowAt(row);
+      replies[rank].insert(replies[rank].end(), from, from + width);
+    }
+  }
+  const std::vector<std::vector<T>> received = ExchangeValues(ranks, std::move(replies));
+  std::size_t numberOfRows = 0;
+  for (const std::vector<Id>& from : places)
+  {
+    numberOfRows += from.size();
+  }
+  std::vector<T> rows(numberOfRows * width);
+  for (std::size_t rank = 0; rank < received.size(); ++rank)
+  {
+    for (std::size_t i = 0; i < places[rank].size(); ++i)
+    {
+      std::copy_n(received[rank].data() + i * width, width, rows.data() + rowAt(places[rank][i]));
+    }
+  }
+  return rows;
 }
 
 /// The values of all ranks, by rank.
@@ -144,11 +192,23 @@ inline std::int64_t SumOverRanks(Ranks& ranks, std::int64_t value)
   return sum;
 }
 
+/// The texts of all ranks, by rank.
+inline std::vector<std::string> GatherAllTexts(Ranks& ranks, const std::string& text)
+{
+  Bytes message;
+  PackText(message, text);
+  std::vector<std::string> texts;
+  for (const Bytes& bytes : ranks.GatherAll(std::move(message)))
+  {
+    texts.push_back(Unpacker(bytes).TakeText());
+  }
+  return texts;
+}
+
 /// One text of what each rank has to say; empty if none has anything.
 inline std::string TextOfRanks(Ranks& ranks, const std::string& text)
 {
-  const std::vector<std::vector<char>> texts =
-    GatherAllValues(ranks, std::vector<char>(text.begin(), text.end()));
+  const std::vector<std::string> texts = GatherAllTexts(ranks, text);
   const bool areEqual =
     std::adjacent_find(texts.begin(), texts.end(), std::not_equal_to<>()) == texts.end();
   if (areEqual)
@@ -160,8 +220,7 @@ inline std::string TextOfRanks(Ranks& ranks, const std::string& text)
   {
     if (!texts[rank].empty())
     {
-      all += (all.empty() ? "on rank " : "; on rank ") + std::to_string(rank) + ": " +
-        std::string(texts[rank].begin(), texts[rank].end());
+      all += (all.empty() ? "on rank " : "; on rank ") + std::to_string(rank) + ": " + texts[rank];
     }
   }
   return all;

@@ -34,6 +34,12 @@ public:
   virtual std::vector<Bytes> GatherAll(Bytes message) = 0;
 };
 
+/// Whether there are others to work with.
+inline bool AreSeveral(const Ranks* ranks)
+{
+  return ranks && ranks->Size() > 1;
+}
+
 /// Alone.
 class OneRank : public Ranks
 {

@@ -16,7 +16,8 @@
 namespace ridges
 {
 
-/// Triangles that one rank tells another, and where their corners are, unless that is known there.
+/// Triangles that one rank sends to another, and the positions of those corners that the other does
+/// not have.
 /// Points and triangles have numbers in the whole mesh.
 struct MeshPatch
 {
@@ -161,28 +162,18 @@ std::vector<T> MeshShare::Rows(Ranks& ranks, const T* owned, int width) const
     wanted[owner].push_back(this->Numbers_[p]);
     places[owner].push_back(static_cast<Id>(p));
   }
-  std::vector<std::vector<T>> replies(ranks.Size());
-  const auto asked = ExchangeValues(ranks, std::move(wanted));
-  for (std::size_t rank = 0; rank < asked.size(); ++rank)
+  const std::int64_t first = this->Owners_.First(ranks.Rank());
+  std::vector<std::vector<Id>> asked(ranks.Size());
+  const auto numbers = ExchangeValues(ranks, std::move(wanted));
+  for (std::size_t rank = 0; rank < numbers.size(); ++rank)
   {
-    replies[rank].reserve(asked[rank].size() * width);
-    for (const std::int64_t number : asked[rank])
+    asked[rank].reserve(numbers[rank].size());
+    for (const std::int64_t number : numbers[rank])
     {
-      const T* row = owned + (number - this->Owners_.First(ranks.Rank())) * width;
-      replies[rank].insert(replies[rank].end(), row, row + width);
+      asked[rank].push_back(static_cast<Id>(number - first));
     }
   }
-  const auto received = ExchangeValues(ranks, std::move(replies));
-  std::vector<T> rows(this->Numbers_.size() * width);
-  for (std::size_t rank = 0; rank < received.size(); ++rank)
-  {
-    for (std::size_t i = 0; i < places[rank].size(); ++i)
-    {
-      std::copy_n(received[rank].data() + i * width, width,
-        rows.data() + static_cast<std::size_t>(width) * places[rank][i]);
-    }
-  }
-  return rows;
+  return ExchangeRows(ranks, owned, width, asked, places);
 }
 
 } // namespace ridges

@@ -74,32 +74,7 @@ private:
 template <typename T>
 std::vector<T> SharedPoints::ToPiece(Ranks& ranks, const T* owned, int width) const
 {
-  std::vector<std::vector<T>> replies(this->ReceivedFrom_.size());
-  for (std::size_t rank = 0; rank < replies.size(); ++rank)
-  {
-    replies[rank].reserve(this->ReceivedFrom_[rank].size() * width);
-    for (const Id p : this->ReceivedFrom_[rank])
-    {
-      const T* row = owned + static_cast<std::size_t>(width) * p;
-      replies[rank].insert(replies[rank].end(), row, row + width);
-    }
-  }
-  const std::vector<std::vector<T>> received = ExchangeValues(ranks, std::move(replies));
-  std::size_t count = 0;
-  for (const std::vector<Id>& sent : this->SentTo_)
-  {
-    count += sent.size();
-  }
-  std::vector<T> rows(count * width);
-  for (std::size_t rank = 0; rank < received.size(); ++rank)
-  {
-    for (std::size_t i = 0; i < this->SentTo_[rank].size(); ++i)
-    {
-      std::copy_n(received[rank].data() + i * width, width,
-        rows.data() + static_cast<std::size_t>(width) * this->SentTo_[rank][i]);
-    }
-  }
-  return rows;
+  return ExchangeRows(ranks, owned, width, this->ReceivedFrom_, this->SentTo_);
 }
 
 } // namespace ridges
