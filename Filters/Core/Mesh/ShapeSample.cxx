@@ -29,23 +29,24 @@ bool IsOnSurface(const TriangleMesh& mesh, Id p)
   return mesh.TrianglesAround(p).size() > 0;
 }
 
+/// Of all ranks, of the first `count` points of each.
+std::int64_t CountOnSurface(const TriangleMesh& mesh, Id count, Ranks& ranks)
+{
+  std::int64_t sum = 0;
+  for (Id p = 0; p < count; ++p)
+  {
+    sum += IsOnSurface(mesh, p) ? 1 : 0;
+  }
+  return SumOverRanks(ranks, sum);
+}
+
 /// Points that a rank draws from.
 struct Points
 {
   const TriangleMesh& mesh;
   Id count;
   Ranks& ranks;
-
-  /// On any rank.
-  std::int64_t CountOnSurface() const
-  {
-    std::int64_t sum = 0;
-    for (Id p = 0; p < this->count; ++p)
-    {
-      sum += IsOnSurface(this->mesh, p) ? 1 : 0;
-    }
-    return SumOverRanks(this->ranks, sum);
-  }
+  std::int64_t onSurface; ///< Of all ranks.
 };
 
 /// The mean of what is `valueOf` at the points of the surface, from 0 to `greatest`.
@@ -61,7 +62,7 @@ double Mean(const Points& points, double greatest, const ValueOf& valueOf)
     }
   }
   return static_cast<double>(SumOverRanks(points.ranks, sum)) /
-    static_cast<double>(points.CountOnSurface()) * greatest / Steps;
+    static_cast<double>(points.onSurface) * greatest / Steps;
 }
 
 struct Bounds
@@ -136,13 +137,13 @@ std::vector<std::uint64_t> StepsFromCentroid(const Points& points)
 
 std::vector<DrawnPoint> ShapeSample(const TriangleMesh& mesh, Id count, double wanted, Ranks& ranks)
 {
-  const Points points{ mesh, count, ranks };
   if (static_cast<double>(SumOverRanks(ranks, count)) <= wanted)
   {
     return PositionSample(mesh, count, wanted, ranks);
   }
+  const Points points{ mesh, count, ranks, CountOnSurface(mesh, count, ranks) };
   const std::vector<std::uint64_t> steps = StepsFromCentroid(points);
-  const double part = wanted / static_cast<double>(points.CountOnSurface());
+  const double part = wanted / static_cast<double>(points.onSurface);
   std::vector<DrawnPoint> own;
   for (std::size_t p = 0; p < steps.size(); ++p)
   {
