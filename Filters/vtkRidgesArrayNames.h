@@ -51,6 +51,12 @@ constexpr const char* NoiseCorrelation = "NoiseCorrelation";
 constexpr const char* SelectedFit = "SelectedFit";
 ///@}
 
+/// @name Pieces of a mesh, points and cells, of vtkPRidgesAndUmbilics
+///@{
+constexpr const char* GatheredPointId = "GatheredPointId";
+constexpr const char* GatheredCellId = "GatheredCellId";
+///@}
+
 /// @name Mesh, field data, of vtkImageMongeForm
 ///@{
 constexpr const char* ImageNoise = "ImageNoise";

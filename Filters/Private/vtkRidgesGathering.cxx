@@ -3,7 +3,9 @@
 #include "vtkRidgesGathering.h"
 
 #include "vtkRidgesArrayMessages.h"
+#include "vtkRidgesArrayNames.h"
 #include "vtkRidgesFieldData.h"
+#include "vtkRidgesMakeArray.h"
 #include "vtkRidgesPiece.h"
 
 #include "vtkCellArray.h"
@@ -20,6 +22,7 @@
 #include <string>
 #include <utility>
 
+namespace names = vtkRidgesArrayNames;
 using ridges::Id;
 
 vtkSmartPointer<vtkPolyData> vtkRidgesGathering::Gather(ridges::Ranks& ranks, vtkPolyData* piece)
@@ -115,10 +118,7 @@ vtkSmartPointer<vtkPolyData> vtkRidgesGathering::Join(
       vtkDataArray* from = part->GetArray(k);
       if (rows->GetNumberOfArrays() <= k)
       {
-        auto array = vtk::TakeSmartPointer(from->NewInstance());
-        array->SetName(from->GetName());
-        array->SetNumberOfComponents(from->GetNumberOfComponents());
-        array->CopyComponentNames(from);
+        const auto array = vtkRidgesMakeArrayLike(from);
         array->SetNumberOfTuples(count);
         rows->AddArray(array);
       }
@@ -154,10 +154,7 @@ void vtkRidgesGathering::GiveBack(ridges::Ranks& ranks, vtkPolyData* whole, vtkP
     for (int i = 0; i < cells->GetNumberOfArrays(); ++i)
     {
       vtkDataArray* array = cells->GetArray(i);
-      auto rows = vtk::TakeSmartPointer(array->NewInstance());
-      rows->SetName(array->GetName());
-      rows->SetNumberOfComponents(array->GetNumberOfComponents());
-      rows->CopyComponentNames(array);
+      const auto rows = vtkRidgesMakeArrayLike(array);
       rows->InsertTuples(0, this->First[rank + 1] - this->First[rank], this->First[rank], array);
       part->AddArray(rows);
     }
@@ -171,8 +168,7 @@ void vtkRidgesGathering::GiveBack(ridges::Ranks& ranks, vtkPolyData* whole, vtkP
 
   output->ShallowCopy(this->Piece.GetPolyData());
   const ridges::TriangleMesh& mesh = this->Piece.GetTriangles();
-  vtkNew<vtkIdTypeArray> cellNumbers;
-  cellNumbers->SetName(CellNumber);
+  auto cellNumbers = vtkRidgesMakeArray<vtkIdTypeArray>(names::GatheredCellId);
   for (vtkIdType t = this->First[ranks.Rank()]; t < this->First[ranks.Rank() + 1]; ++t)
   {
     cellNumbers->InsertNextValue(t);
@@ -181,10 +177,7 @@ void vtkRidgesGathering::GiveBack(ridges::Ranks& ranks, vtkPolyData* whole, vtkP
   for (int i = 0; i < rows->GetNumberOfArrays(); ++i)
   {
     vtkDataArray* from = rows->GetArray(i);
-    auto array = vtk::TakeSmartPointer(from->NewInstance());
-    array->SetName(from->GetName());
-    array->SetNumberOfComponents(from->GetNumberOfComponents());
-    array->CopyComponentNames(from);
+    const auto array = vtkRidgesMakeArrayLike(from);
     array->SetNumberOfTuples(output->GetNumberOfCells());
     array->Fill(-1.0);
     for (Id t = 0; t < mesh.NumberOfTriangles(); ++t)
@@ -193,8 +186,7 @@ void vtkRidgesGathering::GiveBack(ridges::Ranks& ranks, vtkPolyData* whole, vtkP
     }
     output->GetCellData()->AddArray(array);
   }
-  vtkNew<vtkIdTypeArray> pointNumbers;
-  pointNumbers->SetName(PointNumber);
+  auto pointNumbers = vtkRidgesMakeArray<vtkIdTypeArray>(names::GatheredPointId);
   for (const vtkIdType id : this->PointIds)
   {
     pointNumbers->InsertNextValue(id);

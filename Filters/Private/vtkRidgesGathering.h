@@ -21,16 +21,12 @@ VTK_ABI_NAMESPACE_END
 class vtkRidgesGathering
 {
 public:
-  /// Numbers of the points and cells of the gathered mesh, on the pieces; -1: not in it.
-  static constexpr const char* PointNumber = "GatheredPointId";
-  static constexpr const char* CellNumber = "GatheredCellId";
-
   /// On rank 0 the mesh with the triangles of all pieces, the arrays of their points, and the field
   /// data of its own piece; elsewhere null. Pieces are outputs of vtkJetFitting.
   vtkSmartPointer<vtkPolyData> Gather(ridges::Ranks& ranks, vtkPolyData* piece);
 
   /// The piece with the cell arrays that `whole`, on rank 0, has more than the gathered mesh had,
-  /// and its field data. Cells that were not gathered have -1.
+  /// its field data, and the ids in the gathered mesh. Cells that were not gathered have -1.
   void GiveBack(ridges::Ranks& ranks, vtkPolyData* whole, vtkPolyData* output);
 
 private:

@@ -3,6 +3,7 @@
 #include "vtkRidgesSharedRows.h"
 
 #include "vtkRidgesArrayNames.h"
+#include "vtkRidgesMakeArray.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkIntArray.h"
@@ -26,12 +27,9 @@ vtkSmartPointer<vtkDataArray> WithRows(vtkDataArray* array, const Rows& rowsOf)
   }
   const int width = typed->GetNumberOfComponents();
   const auto rows = rowsOf(typed->GetPointer(0), width);
-  auto result = vtkSmartPointer<Array>::New();
-  result->SetName(typed->GetName());
-  result->SetNumberOfComponents(width);
-  result->CopyComponentNames(typed);
+  const auto result = vtkRidgesMakeArrayLike(typed);
   result->SetNumberOfTuples(static_cast<vtkIdType>(rows.size()) / width);
-  std::copy(rows.begin(), rows.end(), result->GetPointer(0));
+  std::copy(rows.begin(), rows.end(), Array::SafeDownCast(result)->GetPointer(0));
   return result;
 }
 

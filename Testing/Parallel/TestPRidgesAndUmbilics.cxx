@@ -190,8 +190,10 @@ void ExpectTheSame(const Expected& expected, const NamedMesh& named, Partition p
     }
     return array;
   };
-  const auto pointNames = Names(numbers(mesh->GetPointData(), "GatheredPointId"), own.piece.points);
-  const auto cellNames = Names(numbers(mesh->GetCellData(), "GatheredCellId"), own.piece.triangles);
+  const auto pointNames =
+    Names(numbers(mesh->GetPointData(), names::GatheredPointId), own.piece.points);
+  const auto cellNames =
+    Names(numbers(mesh->GetCellData(), names::GatheredCellId), own.piece.triangles);
   vtkPolyData* ridges = parallel->GetOutput(vtkRidgesAndUmbilics::RIDGES);
   vtkPolyData* umbilics = parallel->GetOutput(vtkRidgesAndUmbilics::UMBILICS);
   if (Controller()->GetLocalProcessId() > 0)
