@@ -86,9 +86,8 @@ int vtkImageMongeForm::RequestData(
   forms.located = [&noise, &grid](ridges::Span<double> places)
   { noise = ridges::EstimateImageNoise(grid, places); };
   const double share = ridges::SmoothedNoise(grid, sigma);
-  forms.errorsAt = [&function, &noise, share, sigma](
-                     const Eigen::Vector3d& x, const ridges::MongeForm& form)
-  { return ridges::ErrorsOfDisplacement(form, noise * share / function.SteepnessAt(x), sigma); };
+  forms.errorsOf = [&noise, share, sigma](const ridges::MongeForm& form, double steepness)
+  { return ridges::ErrorsOfDisplacement(form, noise * share / steepness, sigma); };
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   if (!forms.Run(this, mesh, output))
   {

@@ -103,7 +103,7 @@ int vtkImageSurfaceMesh::RequestData(
 
   const auto loop = vtkRidgesAbortableLoop(this, 0.0, 0.1);
   const ridges::SmoothedImage smoothed(grid, sigma, loop);
-  const ridges::SmoothedImage wholly(grid, sigma, loop, 0.0);
+  const ridges::SmoothedImage wholly(smoothed.Grid(), sigma, loop, 0.0);
   if (vtkRidgesCompatibility::IsAborted(this))
   {
     return 1;
@@ -135,14 +135,7 @@ int vtkImageSurfaceMesh::RequestData(
     point = origin + axes * point;
   }
   FaceOutward(mesh.GetMesh());
-  for (const std::string& text :
-    { mesh.BendsText(edgeLength), mesh.BorderText("The image ends before") })
-  {
-    if (!text.empty())
-    {
-      vtkWarningMacro(<< text);
-    }
-  }
+  mesh.Warn(this, "The image ends before");
   mesh.Store(vtkPolyData::GetData(outputVector));
   return 1;
 }

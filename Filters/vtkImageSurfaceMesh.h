@@ -14,7 +14,7 @@
  * A contour of the image has the triangles of its grid, small ones and thin ones, and many more
  * than a smoothed image has detail for. Ridges need triangles that are even, and about as large as
  * the scale of the smoothing: then noise, which is alike within that scale, makes loops around a
- * few points only, which vtkRidgeExtraction tells from ridges. On an ellipsoid in an image with
+ * few points only, which vtkRidgeExtraction recognizes as noise. On an ellipsoid in an image with
  * noise of 5 % of the contrast, all six ridges and nothing else are left with the default
  * EdgeLength; with edges a third as long there are thirty more.
  *

@@ -76,13 +76,7 @@ int vtkImplicitSurfaceMesh::RequestData(
     }
     return 1; // aborted
   }
-  for (const std::string& text : { mesh.BendsText(edgeLength), mesh.BorderText("The Bounds cut") })
-  {
-    if (!text.empty())
-    {
-      vtkWarningMacro(<< text);
-    }
-  }
+  mesh.Warn(this, "The Bounds cut");
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   mesh.Store(output);
   auto text = vtkRidgesMakeArray<vtkStringArray>(names::Formula);

@@ -14,7 +14,6 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <sstream>
 
 namespace
 {
@@ -60,6 +59,7 @@ SharpPoints FindSharpPoints(
 bool vtkRidgesEvenMesh::Make(vtkAlgorithm* filter, const ridges::JetFunction& function,
   const ridges::ExactSurface& surface, const double bounds[6], double edgeLength)
 {
+  this->EdgeLength = edgeLength;
   if (!this->contour.Make(filter, function, bounds, edgeLength, Contoured))
   {
     return false;
@@ -110,25 +110,21 @@ void vtkRidgesEvenMesh::Store(vtkPolyData* output) const
   output->SetPolys(triangles);
 }
 
-std::string vtkRidgesEvenMesh::BendsText(double edgeLength) const
+void vtkRidgesEvenMesh::Warn(vtkAlgorithm* filter, const char* whatCuts) const
 {
-  std::ostringstream text;
   if (this->NumberOfSharpPoints > 0)
   {
-    text << "The surface bends within an edge at " << this->NumberOfSharpPoints << " of "
-         << this->contour.mesh.points.size() << " points (the first is at "
-         << this->contour.mesh.points[this->FirstSharpPoint].transpose()
-         << "): a shorter EdgeLength than " << edgeLength << " helps, unless it is singular there.";
+    vtkWarningWithObjectMacro(filter,
+      "The surface bends within an edge at "
+        << this->NumberOfSharpPoints << " of " << this->contour.mesh.points.size()
+        << " points (the first is at "
+        << this->contour.mesh.points[this->FirstSharpPoint].transpose()
+        << "): a shorter EdgeLength than " << this->EdgeLength
+        << " helps, unless it is singular there.");
   }
-  return text.str();
-}
-
-std::string vtkRidgesEvenMesh::BorderText(const char* box) const
-{
-  std::ostringstream text;
   if (this->NumberOfBorderEdges > 0)
   {
-    text << box << " the surface: the mesh has " << this->NumberOfBorderEdges << " border edges.";
+    vtkWarningWithObjectMacro(filter, << whatCuts << " the surface: the mesh has "
+                                      << this->NumberOfBorderEdges << " border edges.");
   }
-  return text.str();
 }

@@ -6,8 +6,6 @@
 #include "Core/Formula/ExactSurface.h"
 #include "vtkRidgesContour.h"
 
-#include <string>
-
 VTK_ABI_NAMESPACE_BEGIN
 class vtkPolyData;
 VTK_ABI_NAMESPACE_END
@@ -29,13 +27,14 @@ public:
   /// Points and triangles.
   void Store(vtkPolyData* output) const;
 
-  /// What users should know of the mesh; empty if that is nothing. `box` is what may cut it.
-  std::string BendsText(double edgeLength) const;
-  std::string BorderText(const char* box) const;
+  /// Tells the user of the filter what is to be known of the mesh. `whatCuts` begins the sentence
+  /// "... the surface".
+  void Warn(vtkAlgorithm* filter, const char* whatCuts) const;
 
   vtkRidgesContour contour;
 
 private:
+  double EdgeLength = 0.0;
   ridges::Id NumberOfSharpPoints = 0; ///< Without a Monge form, or bent within an edge.
   ridges::Id FirstSharpPoint = 0;
   ridges::Id NumberOfBorderEdges = 0;

@@ -141,9 +141,10 @@ bool StoreForms(vtkAlgorithm* filter, const vtkRidgesExactForms& known, PointSta
         quality.status |= known.statusAt(x);
       }
       arrays.Store(p, form, quality);
-      if (known.errorsAt)
+      if (known.errorsOf)
       {
-        arrays.StoreErrors(p, isGood ? known.errorsAt(x, form) : ridges::JetErrors());
+        arrays.StoreErrors(
+          p, isGood ? known.errorsOf(form, points.steepness[lane]) : ridges::JetErrors());
       }
       states.faults[p] = points.fault[lane];
     }
@@ -228,7 +229,7 @@ int vtkRidgesExactForms::Run(vtkAlgorithm* filter, const vtkRidgesMesh& mesh, vt
     this->located({ states.positions, states.positions + 3 * count });
   }
   constexpr int order = 4;
-  vtkRidgesMongeOutput arrays(count, order, static_cast<bool>(this->errorsAt));
+  vtkRidgesMongeOutput arrays(count, order, static_cast<bool>(this->errorsOf));
   if (!StoreForms(filter, *this, states, reversed, arrays))
   {
     return 1;

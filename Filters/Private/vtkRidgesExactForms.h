@@ -38,8 +38,8 @@ public:
   /// Bits of FitStatus at a place, besides that there is no form. May be empty.
   std::function<int(const Eigen::Vector3d&)> statusAt;
 
-  /// Standard errors of the form at a place; not known if it is empty.
-  std::function<ridges::JetErrors(const Eigen::Vector3d&, const ridges::MongeForm&)> errorsAt;
+  /// Standard errors of a form, where f = 0 is so steep; not known if it is empty.
+  std::function<ridges::JetErrors(const ridges::MongeForm&, double steepness)> errorsOf;
 
   /// Called with all places when these are on the surface, three coordinates each. May be empty.
   std::function<void(ridges::Span<double>)> located;

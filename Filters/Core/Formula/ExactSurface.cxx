@@ -325,6 +325,7 @@ void ImplicitExactSurface::Differentiate(SurfacePoints& points) const
     const double size = points.position[lane].cwiseAbs().maxCoeff();
     MongeForm& form = points.form[lane];
     form = MongeFormOfHeightJet(HeightOfImplicit(f), frames[lane]);
+    points.steepness[lane] = std::abs(f(0, 0, 1)); // along the normal
     const double distance = std::abs(f.Constant() / f(0, 0, 1));
     if (IsSingular(f, resolution, size))
     {

@@ -30,6 +30,7 @@ struct SurfacePoints
   std::array<Eigen::Vector2d, Lanes::Count> parameters; ///< Of parametric surfaces.
   std::array<Eigen::Vector3d, Lanes::Count> normal;
   std::array<MongeForm, Lanes::Count> form;
+  std::array<double, Lanes::Count> steepness{}; ///< Of f, per length, if the surface is f = 0.
   std::array<ExactFault, Lanes::Count> fault{};
 };
 

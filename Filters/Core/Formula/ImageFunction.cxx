@@ -52,14 +52,6 @@ bool ImageFunction::IsAtBorder(const Eigen::Vector3d& x) const
   return false;
 }
 
-double ImageFunction::SteepnessAt(const Eigen::Vector3d& x) const
-{
-  std::array<double, 4> linear{};
-  this->Evaluate(x, 1, linear.data());
-  const Eigen::Vector3d bySample(linear[1], linear[2], linear[3]);
-  return bySample.cwiseQuotient(this->Grid_.spacing).norm();
-}
-
 // Summed along z first, with the samples of a row side by side; then along y, then along x.
 void ImageFunction::Evaluate(const Eigen::Vector3d& x, int order, double* coefficients) const
 {

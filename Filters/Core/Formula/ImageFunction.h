@@ -42,9 +42,6 @@ public:
   /// Whether samples within three standard deviations are beyond the border.
   bool IsAtBorder(const Eigen::Vector3d& x) const;
 
-  /// How steep the smoothed image is, per length.
-  double SteepnessAt(const Eigen::Vector3d& x) const;
-
 protected:
   void Evaluate(const Eigen::Vector3d& x, int order, double* coefficients) const override;
 

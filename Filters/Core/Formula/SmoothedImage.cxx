@@ -27,11 +27,13 @@ SmoothedImage::SmoothedImage(
   for (int axis = 0; axis < 3; ++axis)
   {
     const double whole = sigma / grid.spacing[axis];
-    const double step = std::sqrt(std::max(0.0, whole * whole - remainder * remainder));
+    const double before = grid.smoothing[axis];
+    const double step =
+      std::sqrt(std::max(0.0, whole * whole - before * before - remainder * remainder));
     if (step >= LeastStep)
     {
       this->Smooth(axis, step, loop);
-      this->Grid_.smoothing[axis] = step;
+      this->Grid_.smoothing[axis] = std::hypot(before, step);
     }
   }
 }

@@ -23,7 +23,8 @@ public:
   /// e down to what the samples alias.
   static constexpr double Remainder = 1.5;
 
-  /// The loop lends threads; sigma is in the unit of the spacing.
+  /// The loop lends threads; sigma is in the unit of the spacing. Goes on from what the image is
+  /// smoothed by already.
   SmoothedImage(
     const ImageGrid& grid, double sigma, const RangeLoop& loop, double remainder = Remainder);
 
