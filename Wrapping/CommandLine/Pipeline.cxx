@@ -208,16 +208,24 @@ void RunCertified(
     vtkTable::SafeDownCast(certified->GetOutputDataObject(vtkCertifiedRidges::TABLE));
 }
 
+/// What gives the mesh its forms.
+vtkAlgorithm* FormsOf(const Options& options, Filters& filters)
+{
+  if (!options.image.empty())
+  {
+    return filters.imageForms;
+  }
+  if (!options.formula.empty())
+  {
+    return filters.exactForms;
+  }
+  return filters.jetFitting;
+}
+
 /// The ridges of all points of the mesh, from its forms on.
 void RunComplete(const Options& options, Filters& filters, Stages& stages, Results& results)
 {
-  vtkAlgorithm* forms = filters.jetFitting;
-  if (options.HasForms())
-  {
-    forms = options.image.empty() ? static_cast<vtkAlgorithm*>(filters.exactForms)
-                                  : static_cast<vtkAlgorithm*>(filters.imageForms);
-  }
-  filters.umbilics->SetInputConnection(forms->GetOutputPort());
+  filters.umbilics->SetInputConnection(FormsOf(options, filters)->GetOutputPort());
   filters.ridges->SetInputConnection(filters.umbilics->GetOutputPort());
   filters.sharpness->SetInputConnection(filters.ridges->GetOutputPort());
   RunStage(stages, "umbilics", filters.umbilics);
