@@ -153,6 +153,27 @@ TEST(MeshReader, DoesNotMakeRoomForComponentsThatTheFileCannotHold)
   EXPECT_GE(files, 2);
 }
 
+// VTK writes keys into its arrays: those that follow are still of points.
+TEST(MeshReader, ChecksArraysBehindOneWithKeys)
+{
+  for (const MeshBytes& file : WriteInAllFormats(Ellipsoid(2)))
+  {
+    if (file.name == "ascii.vtp")
+    {
+      std::string bytes = file.bytes;
+      const std::size_t at = bytes.find("<Points>") + 8;
+      ASSERT_GE(at, 8u);
+      const std::string key = "<InformationKey name=\"k\"></InformationKey>";
+      bytes.insert(at,
+        "<DataArray type=\"Int8\" Name=\"a\" format=\"ascii\">" + key +
+          "</DataArray><DataArray type=\"Int8\" Name=\"b\" format=\"ascii\" NumberOfComponents=\"" +
+          std::to_string(bytes.size() - 9) + "\"></DataArray>");
+      EXPECT_NE(FailureOf(bytes, file.name).find("an array is larger than the file can hold"),
+        std::string::npos);
+    }
+  }
+}
+
 TEST(MeshReader, DoesNotMakeRoomForCornersThatTheFileCannotHold)
 {
   for (const MeshBytes& file : WriteInAllFormats(Ellipsoid(2)))
