@@ -3,6 +3,7 @@
 #include "vtkImageMongeForm.h"
 
 #include "FilterTestTools.h"
+#include "ImageSamples.h"
 #include "MessageRecorder.h"
 #include "vtkImageSurfaceMesh.h"
 #include "vtkImplicitMongeForm.h"
@@ -38,27 +39,6 @@ namespace names = vtkRidgesArrayNames;
 
 namespace
 {
-
-/// An image whose samples are values of a function, in the extent that it has.
-template <typename Function>
-void Sample(vtkImageData* image, const Function& function)
-{
-  vtkNew<vtkDoubleArray> scalars;
-  const int* extent = image->GetExtent();
-  for (int k = extent[4]; k <= extent[5]; ++k)
-  {
-    for (int j = extent[2]; j <= extent[3]; ++j)
-    {
-      for (int i = extent[0]; i <= extent[1]; ++i)
-      {
-        double x[3];
-        image->TransformIndexToPhysicalPoint(i, j, k, x);
-        scalars->InsertNextValue(function(x[0], x[1], x[2]));
-      }
-    }
-  }
-  image->GetPointData()->SetScalars(scalars);
-}
 
 vtkSmartPointer<vtkPolyData> FromImage(
   vtkPolyData* mesh, vtkImageData* image, double sigma, double value = 0.0)
@@ -102,15 +82,7 @@ double LargestDifference(vtkPolyData* a, vtkPolyData* b, const char* name)
   return difference / greatest;
 }
 
-/// x^2/1.96 + y^2 + z^2/0.36 in a frame turned about z, as a function and as text.
-double Ellipsoid(double x, double y, double z)
-{
-  const double u = 0.8 * x + 0.6 * y;
-  const double v = -0.6 * x + 0.8 * y;
-  return u * u / 1.96 + v * v + z * z / 0.36;
-}
-
-/// With sigma^2 (1/1.96 + 1 + 1/0.36) more: the image smoothed, less a value.
+/// Of TurnedEllipsoid, with sigma^2 (1/1.96 + 1 + 1/0.36) more: the image smoothed, less a value.
 std::string EllipsoidFormula(double sigma, double value)
 {
   std::ostringstream text;
@@ -120,7 +92,7 @@ std::string EllipsoidFormula(double sigma, double value)
   return text.str();
 }
 
-vtkSmartPointer<vtkPolyData> TurnedEllipsoid()
+vtkSmartPointer<vtkPolyData> EllipsoidMeshOfImage()
 {
   vtkNew<vtkImplicitSurfaceMesh> source;
   source->SetFormula(EllipsoidFormula(0.0, 1.0).c_str());
@@ -131,14 +103,11 @@ vtkSmartPointer<vtkPolyData> TurnedEllipsoid()
 }
 
 /// Axes turned against the coordinates, unequal spacing, an extent that does not begin at 0.
-void SetOblique(vtkImageData* image)
+void SetGrid(vtkImageData* image)
 {
   image->SetExtent(3, 52, -20, 19, 0, 27);
   image->SetSpacing(0.06, 0.08, 0.06);
-  image->SetDirectionMatrix(0.6, 0.8, 0.0, -0.8, 0.6, 0.0, 0.0, 0.0, 1.0);
-  double center[3];
-  image->TransformIndexToPhysicalPoint(27, 0, 14, center);
-  image->SetOrigin(-center[0], -center[1], -center[2]);
+  SetOblique(image, 27, 0, 14);
 }
 
 constexpr double A[3] = { 0.15, 0.25, 0.35 };
@@ -247,9 +216,9 @@ std::size_t NumberOfRidges(vtkPolyData* lines)
 TEST(ImageMongeForm, IsExactForAnEllipsoid)
 {
   vtkNew<vtkImageData> image;
-  SetOblique(image);
-  Sample(image, Ellipsoid);
-  const auto mesh = TurnedEllipsoid();
+  SetGrid(image);
+  Sample(image, TurnedEllipsoid);
+  const auto mesh = EllipsoidMeshOfImage();
   const auto found = FromImage(mesh, image, 0.1, 1.0);
   const auto expected = FromFormula(mesh, EllipsoidFormula(0.1, 1.0));
   ASSERT_GT(found->GetNumberOfPoints(), 1000);
@@ -273,7 +242,7 @@ TEST(ImageMongeForm, StandardErrorsAreThoseOfNoise)
 {
   const double noise = 0.02;
   const double sigma = 0.2; // more than three samples
-  const auto mesh = TurnedEllipsoid();
+  const auto mesh = EllipsoidMeshOfImage();
   const auto expected = FromFormula(mesh, EllipsoidFormula(sigma, 1.0));
   std::map<std::string, MeanSquare> ratios;
   for (unsigned seed = 1; seed <= 4; ++seed)
@@ -286,7 +255,7 @@ TEST(ImageMongeForm, StandardErrorsAreThoseOfNoise)
     std::normal_distribution<double> normal(0.0, noise);
     Sample(image,
       [&generator, &normal](double x, double y, double z)
-      { return Ellipsoid(x, y, z) + normal(generator); });
+      { return TurnedEllipsoid(x, y, z) + normal(generator); });
     const auto found = FromImage(mesh, image, sigma, 1.0);
     EXPECT_NEAR(
       found->GetFieldData()->GetArray(names::ImageNoise)->GetComponent(0, 0), noise, 0.05 * noise);
@@ -430,8 +399,8 @@ TEST(ImageMongeForm, RefusesBadInputWithOneError)
 TEST(ImageMongeForm, SameBytesForAnyThreads)
 {
   vtkNew<vtkImageData> image;
-  SetOblique(image);
-  Sample(image, Ellipsoid);
+  SetGrid(image);
+  Sample(image, TurnedEllipsoid);
   const auto mesh = EllipsoidData(4);
   vtkSMPTools::Initialize(1);
   const auto one = FromImage(mesh, image, 0.1, 1.0);

@@ -3,9 +3,9 @@
 #include "vtkImageSurfaceMesh.h"
 
 #include "FilterTestTools.h"
+#include "ImageSamples.h"
 #include "MessageRecorder.h"
 
-#include "vtkDoubleArray.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
@@ -24,38 +24,14 @@ using namespace ridges::testing;
 namespace
 {
 
-/// x^2/1.96 + y^2 + z^2/0.36 in a frame turned about z.
-double Ellipsoid(const double x[3])
-{
-  const double u = 0.8 * x[0] + 0.6 * x[1];
-  const double v = -0.6 * x[0] + 0.8 * x[1];
-  return u * u / 1.96 + v * v + x[2] * x[2] / 0.36;
-}
-
 /// Its axes are turned against the coordinates, and its samples are not cubes.
 void SetEllipsoid(vtkImageData* image, double factor = 1.0)
 {
   image->SetExtent(3, 47, -20, 39, 0, 35);
   image->SetSpacing(0.06, 0.06, 0.05);
-  image->SetDirectionMatrix(0.6, 0.8, 0.0, -0.8, 0.6, 0.0, 0.0, 0.0, 1.0);
-  double center[3];
-  image->TransformIndexToPhysicalPoint(25, 9, 17, center);
-  image->SetOrigin(-center[0], -center[1], -center[2]);
-  vtkNew<vtkDoubleArray> scalars;
-  const int* extent = image->GetExtent();
-  for (int k = extent[4]; k <= extent[5]; ++k)
-  {
-    for (int j = extent[2]; j <= extent[3]; ++j)
-    {
-      for (int i = extent[0]; i <= extent[1]; ++i)
-      {
-        double x[3];
-        image->TransformIndexToPhysicalPoint(i, j, k, x);
-        scalars->InsertNextValue(factor * Ellipsoid(x));
-      }
-    }
-  }
-  image->GetPointData()->SetScalars(scalars);
+  SetOblique(image, 25, 9, 17);
+  Sample(
+    image, [factor](double x, double y, double z) { return factor * TurnedEllipsoid(x, y, z); });
 }
 
 constexpr double Sigma = 0.1;
@@ -65,20 +41,6 @@ void Prepare(vtkImageSurfaceMesh* source, vtkImageData* image, double value)
   source->SetInputData(image);
   source->SetSigma(Sigma);
   source->SetIsoValue(value);
-}
-
-double Volume(vtkPolyData* mesh)
-{
-  double volume = 0.0;
-  for (vtkIdType t = 0; t < mesh->GetNumberOfCells(); ++t)
-  {
-    vtkNew<vtkIdList> corners;
-    mesh->GetCellPoints(t, corners);
-    volume += PointAt(mesh, corners->GetId(0))
-                .cross(PointAt(mesh, corners->GetId(1)))
-                .dot(PointAt(mesh, corners->GetId(2)));
-  }
-  return volume / 6.0;
 }
 
 } // namespace
@@ -104,12 +66,13 @@ TEST(ImageSurfaceMesh, IsClosedEvenAndFacesOutward)
     EXPECT_EQ(mesh->GetNumberOfCells(), 2 * (mesh->GetNumberOfPoints() - 2));
     for (vtkIdType p = 0; p < mesh->GetNumberOfPoints(); ++p)
     {
-      EXPECT_NEAR(Ellipsoid(PointAt(mesh, p).data()) + constant, 1.0, 1e-11);
+      const Eigen::Vector3d x = PointAt(mesh, p);
+      EXPECT_NEAR(TurnedEllipsoid(x[0], x[1], x[2]) + constant, 1.0, 1e-11);
     }
     // A polyhedron inside, whose volume differs by the square of its edges.
     const double exact = 4.0 / 3.0 * std::acos(-1.0) * 1.4 * 0.6 * std::pow(1.0 - constant, 1.5);
-    EXPECT_NEAR(Volume(mesh), exact, 0.02 * exact);
-    EXPECT_LT(Volume(mesh), exact);
+    EXPECT_NEAR(SignedVolume(ToMesh(mesh)), exact, 0.02 * exact);
+    EXPECT_LT(SignedVolume(ToMesh(mesh)), exact);
     double lengths = 0.0;
     for (vtkIdType t = 0; t < mesh->GetNumberOfCells(); ++t)
     {

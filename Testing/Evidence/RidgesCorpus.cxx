@@ -29,6 +29,7 @@
 #include "vtkUmbilicDetection.h"
 #include "vtkVariant.h"
 
+#include <array>
 #include <cstdio>
 #include <string>
 
@@ -98,6 +99,11 @@ public:
   std::string Execute();
 
 private:
+  std::array<vtkAlgorithm*, 6> Filters()
+  {
+    return { this->Jets, this->Umbilics, this->Ridges, this->Sharpness, this->Coherence,
+      this->Salient };
+  }
   std::string WrongIndexSum();
   std::string WrongNumbers();
   std::string FailedChecks();
@@ -115,12 +121,7 @@ std::string Run::Execute()
 {
   std::string errors;
   std::string warnings;
-  for (vtkAlgorithm* filter : { static_cast<vtkAlgorithm*>(this->Jets.Get()),
-         static_cast<vtkAlgorithm*>(this->Umbilics.Get()),
-         static_cast<vtkAlgorithm*>(this->Ridges.Get()),
-         static_cast<vtkAlgorithm*>(this->Sharpness.Get()),
-         static_cast<vtkAlgorithm*>(this->Coherence.Get()),
-         static_cast<vtkAlgorithm*>(this->Salient.Get()) })
+  for (vtkAlgorithm* filter : this->Filters())
   {
     const MessageRecorder recorder(filter);
     filter->Update();
@@ -159,12 +160,7 @@ std::string Run::WrongIndexSum()
 std::string Run::WrongNumbers()
 {
   std::string found;
-  for (vtkAlgorithm* filter : { static_cast<vtkAlgorithm*>(this->Jets.Get()),
-         static_cast<vtkAlgorithm*>(this->Umbilics.Get()),
-         static_cast<vtkAlgorithm*>(this->Ridges.Get()),
-         static_cast<vtkAlgorithm*>(this->Sharpness.Get()),
-         static_cast<vtkAlgorithm*>(this->Coherence.Get()),
-         static_cast<vtkAlgorithm*>(this->Salient.Get()) })
+  for (vtkAlgorithm* filter : this->Filters())
   {
     for (int port = 0; port < filter->GetNumberOfOutputPorts(); ++port)
     {
@@ -180,15 +176,14 @@ std::string Run::WrongNumbers()
 std::string Run::FailedChecks()
 {
   vtkTable* table = this->Coherence->GetOutput();
-  std::string passed;
   std::string doubtful;
   std::string wrong;
   for (vtkIdType row = 0; row < table->GetNumberOfRows(); ++row)
   {
     const int severity = table->GetValueByName(row, names::Severity).ToInt();
-    (severity > 1      ? wrong
-        : severity > 0 ? doubtful
-                       : passed) += " " + table->GetValueByName(row, names::Check).ToString() + ";";
+    const std::string check = " " + table->GetValueByName(row, names::Check).ToString() + ";";
+    wrong += severity > 1 ? check : "";
+    doubtful += severity == 1 ? check : "";
   }
   Print("doubtful", doubtful);
   return wrong.empty() ? "" : "wrong:" + wrong;

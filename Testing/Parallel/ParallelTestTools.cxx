@@ -73,18 +73,8 @@ std::string FirstOtherRow(
 std::vector<NamedMesh> SmallMeshes()
 {
   Mesh two = EllipsoidMesh(10, 1.0, 0.8, 0.6);
-  const Mesh other =
-    Transform(TorusMesh(0.8, 0.3, 40, 20), GenericRotation(), Eigen::Vector3d(3.0, 0.2, 0.1));
-  const auto first = static_cast<std::int32_t>(two.PointCount());
-  for (std::size_t p = 0; p < other.PointCount(); ++p)
-  {
-    two.AddPoint(other.Point(p));
-  }
-  for (std::size_t t = 0; t < other.TriangleCount(); ++t)
-  {
-    two.AddTriangle(other.triangles[3 * t] + first, other.triangles[3 * t + 1] + first,
-      other.triangles[3 * t + 2] + first);
-  }
+  Append(
+    two, Transform(TorusMesh(0.8, 0.3, 40, 20), GenericRotation(), Eigen::Vector3d(3.0, 0.2, 0.1)));
   const auto height = [](double x, double y)
   { return 0.4 * x * x - 0.3 * y * y + 0.3 * x * x * x + 0.2 * x * y * y; };
   return { { "ellipsoid", EllipsoidMesh(16, 1.0, 0.8, 0.6) },

@@ -35,20 +35,6 @@ Mesh Base(std::mt19937_64& generator, int& characteristic)
 }
 
 //------------------------------------------------------------------------------
-void Append(Mesh& mesh, const Mesh& other, const Vector3d& offset)
-{
-  const auto first = static_cast<std::int32_t>(mesh.PointCount());
-  for (std::size_t p = 0; p < other.PointCount(); ++p)
-  {
-    mesh.AddPoint(other.Point(p) + offset);
-  }
-  for (const std::int32_t p : other.triangles)
-  {
-    mesh.triangles.push_back(first + p);
-  }
-}
-
-//------------------------------------------------------------------------------
 // Puts a point into a triangle: it has three triangles, and its neighbours have more.
 void Divide(Mesh& mesh, std::size_t triangle, std::mt19937_64& generator)
 {

@@ -104,6 +104,20 @@ Mesh Flip(const Mesh& mesh)
 }
 
 //------------------------------------------------------------------------------
+void Append(Mesh& mesh, const Mesh& other, const Vector3d& offset)
+{
+  const auto first = static_cast<Id>(mesh.PointCount());
+  for (std::size_t p = 0; p < other.PointCount(); ++p)
+  {
+    mesh.AddPoint(other.Point(p) + offset);
+  }
+  for (const Id p : other.triangles)
+  {
+    mesh.triangles.push_back(first + p);
+  }
+}
+
+//------------------------------------------------------------------------------
 Mesh AddNormalNoise(const Mesh& mesh, double standardDeviation, std::uint64_t seed)
 {
   std::mt19937_64 generator(seed);

@@ -78,6 +78,8 @@ Mesh Transform(
 Eigen::Matrix3d GenericRotation();
 // Reverses all triangles.
 Mesh Flip(const Mesh& mesh);
+// The points, moved by an offset, and triangles of another mesh behind those of the first.
+void Append(Mesh& mesh, const Mesh& other, const Eigen::Vector3d& offset = Eigen::Vector3d::Zero());
 // Moves points along the normals of the mesh by a Gaussian of the given standard deviation.
 Mesh AddNormalNoise(const Mesh& mesh, double standardDeviation, std::uint64_t seed);
 // Each iteration moves points half way to the mean of their neighbours in the tangent plane, and

@@ -16,9 +16,6 @@ namespace testing
 
 using Eigen::Vector3d;
 
-namespace
-{
-
 std::vector<Triangle> TrianglesOf(const Mesh& mesh)
 {
   std::vector<Triangle> triangles;
@@ -29,8 +26,6 @@ std::vector<Triangle> TrianglesOf(const Mesh& mesh)
   }
   return triangles;
 }
-
-} // namespace
 
 //------------------------------------------------------------------------------
 MeshedSurface::MeshedSurface(const Mesh& mesh)

@@ -24,6 +24,8 @@ namespace ridges
 namespace testing
 {
 
+std::vector<Triangle> TrianglesOf(const Mesh& mesh);
+
 // A mesh that owns its points. Not copied or moved, as the adjacency looks at the points.
 class MeshedSurface
 {

@@ -3,6 +3,7 @@
 // Shares of a mesh that several ranks hold, against the whole mesh: points by their positions, no
 // tolerance.
 
+#include "Fixtures/TestFields.h"
 #include "Mesh/RingNeighborhood.h"
 #include "Shares/PositionBisection.h"
 #include "Shares/SharedMesh.h"
@@ -30,17 +31,6 @@ using Place = std::array<double, 3>;
 Place PlaceOf(const TriangleMesh& mesh, Id p)
 {
   return { mesh.Point(p)[0], mesh.Point(p)[1], mesh.Point(p)[2] };
-}
-
-std::vector<Triangle> TrianglesOf(const Mesh& mesh)
-{
-  std::vector<Triangle> triangles;
-  for (std::size_t t = 0; t < mesh.TriangleCount(); ++t)
-  {
-    triangles.push_back(
-      { mesh.triangles[3 * t], mesh.triangles[3 * t + 1], mesh.triangles[3 * t + 2] });
-  }
-  return triangles;
 }
 
 /// The points of neighbourhoods in their order, by place.
@@ -172,17 +162,7 @@ TEST(SharedMesh, GivesRowsOfPointsToPiecesAndShares)
 TEST(SharedMesh, NamesPlacesWhereItCannotKnowWhichPointsAreTheSame)
 {
   Mesh mesh = EllipsoidMesh(3, 1.0, 0.8, 0.6);
-  const auto count = static_cast<std::int32_t>(mesh.PointCount());
-  const Mesh other = Flip(mesh);
-  for (std::int32_t p = 0; p < count; ++p)
-  {
-    mesh.AddPoint(other.Point(p));
-  }
-  for (std::size_t t = 0; t < other.TriangleCount(); ++t)
-  {
-    mesh.AddTriangle(other.triangles[3 * t] + count, other.triangles[3 * t + 1] + count,
-      other.triangles[3 * t + 2] + count);
-  }
+  Append(mesh, Flip(mesh));
   const auto share = [&mesh](Partition partition, bool hasIds)
   {
     const std::vector<int> parts = PartsOf(mesh, partition, 3);
