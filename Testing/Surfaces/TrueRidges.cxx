@@ -337,13 +337,13 @@ std::vector<TrueRidge> FindRidges(
     {
       MarchTriangle(crossings, TypeRule::FourthOrder, t, segments);
     }
-    const RidgeMaker maker(surface, umbilics, crossings, meshed.MeanEdge());
+    const RidgeMaker maker(surface, umbilics, crossings, meshed.Triangles().MeanEdgeLength());
     for (const Ridge& ridge : AssembleRidges(crossings, segments))
     {
       found.push_back(maker.Make(ridge));
     }
   }
-  MissedEnds(surface, found, umbilics, meshed.MeanEdge()).Join();
+  MissedEnds(surface, found, umbilics, meshed.Triangles().MeanEdgeLength()).Join();
   return found;
 }
 

@@ -132,7 +132,8 @@ void ExpectCoverage(const std::string& name, const Mesh& input, double noiseInEd
   int intervals = 0;
   for (int draw = 0; draw < draws; ++draw)
   {
-    const MeshedSurface noisy(AddNormalNoise(input, noiseInEdges * clean.MeanEdge(), 100 + draw));
+    const MeshedSurface noisy(
+      AddNormalNoise(input, noiseInEdges * clean.Triangles().MeanEdgeLength(), 100 + draw));
     RingNeighborhood around(noisy.Triangles(), rings);
     for (int i = 0; i < points; ++i)
     {

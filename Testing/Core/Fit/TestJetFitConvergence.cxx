@@ -61,7 +61,7 @@ Errors MeasureErrors(const Mesh& input, const AnalyticSurface& exactSurface, boo
     scale[2] = std::max(scale[2], k * k * k * k);
   }
   Errors errors;
-  errors.edge = surface.MeanEdge();
+  errors.edge = surface.Triangles().MeanEdgeLength();
   int compared[3] = { 0, 0, 0 };
   for (Id p = 0; p < mesh.NumberOfPoints(); ++p)
   {
@@ -140,9 +140,10 @@ Mesh Jittered(Mesh mesh, const AnalyticSurface& surface, double part, bool keepB
 {
   std::mt19937_64 generator(51);
   const MeshedSurface before(mesh);
+  const double radius = part * before.Triangles().MeanEdgeLength();
   for (std::size_t p = 0; p < mesh.PointCount(); ++p)
   {
-    const Vector3d move = part * before.MeanEdge() * InBall(generator);
+    const Vector3d move = radius * InBall(generator);
     if (!keepBorder || !before.Triangles().OnBorder(static_cast<Id>(p)))
     {
       mesh.SetPoint(p, surface.Project(mesh.Point(p) + move));

@@ -30,7 +30,7 @@ struct FittedEllipsoid
     : surface(MeshSurface(
         EllipsoidSurface({ EllipsoidAxes[0], EllipsoidAxes[1], EllipsoidAxes[2] }), frequency))
     , field(FitField(surface.Triangles()))
-    , meanEdge(surface.MeanEdge())
+    , meanEdge(surface.Triangles().MeanEdgeLength())
   {
   }
   const TriangleMesh& Triangles() const { return this->surface.Triangles(); }

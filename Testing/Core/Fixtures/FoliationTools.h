@@ -71,7 +71,7 @@ struct TorusLines
   explicit TorusLines(int n)
     : surface(TorusMesh(2.0, 0.7, 3 * n, n))
     , field(ExactField(surface.Triangles(), MakeTorus(2.0, 0.7)))
-    , edge(surface.MeanEdge())
+    , edge(surface.Triangles().MeanEdgeLength())
   {
   }
   static double AroundTube(const Eigen::Vector3d& x)

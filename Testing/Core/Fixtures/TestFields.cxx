@@ -42,18 +42,6 @@ MeshedSurface::MeshedSurface(const PointsAndTriangles& mesh)
 }
 
 //------------------------------------------------------------------------------
-double MeshedSurface::MeanEdge() const
-{
-  double sum = 0.0;
-  for (Id e = 0; e < this->Triangles_.NumberOfEdges(); ++e)
-  {
-    const Edge& edge = this->Triangles_.EdgeAt(e);
-    sum += (this->Triangles_.Point(edge.v0) - this->Triangles_.Point(edge.v1)).norm();
-  }
-  return sum / this->Triangles_.NumberOfEdges();
-}
-
-//------------------------------------------------------------------------------
 FieldArrays::FieldArrays(Id numberOfPoints)
   : k1(numberOfPoints)
   , k2(numberOfPoints)

@@ -36,7 +36,6 @@ public:
   MeshedSurface& operator=(const MeshedSurface&) = delete;
 
   const TriangleMesh& Triangles() const { return this->Triangles_; }
-  double MeanEdge() const;
 
 private:
   std::vector<double> Points_;

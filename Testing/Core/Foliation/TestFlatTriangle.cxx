@@ -159,7 +159,7 @@ TEST(FlatTriangle, DirectionsOfNeighborsFoldIntoEachOther)
   const MeshedSurface surface(EllipsoidMesh(20, 1.0, 0.8, 0.6));
   const TriangleMesh& mesh = surface.Triangles();
   const FieldArrays field = ExactField(mesh, MakeEllipsoid(1.0, 0.8, 0.6));
-  const double edge = surface.MeanEdge();
+  const double edge = surface.Triangles().MeanEdgeLength();
   double greatest = 0.0;
   for (Id t = 0; t < mesh.NumberOfTriangles(); ++t)
   {

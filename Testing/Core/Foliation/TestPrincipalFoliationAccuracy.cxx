@@ -176,7 +176,7 @@ TEST(PrincipalFoliationAccuracy, OfAnEllipsoidKeepsAnEllipticCoordinateToSecondO
         }
       }
       rms[i] = std::sqrt(sum / count);
-      const double edge = ellipsoid.surface.MeanEdge();
+      const double edge = ellipsoid.surface.Triangles().MeanEdgeLength();
       std::printf("%s, %d points: lines stray by %.2e (rms), %.2e (most); in edges %.4f, %.4f\n",
         color == Color::Blue ? "blue" : "red", ellipsoid.surface.Triangles().NumberOfPoints(),
         rms[i], greatest, rms[i] / edge, greatest / edge);
