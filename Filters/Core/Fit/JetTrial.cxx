@@ -17,72 +17,12 @@ namespace
 {
 
 constexpr int HighestDegree = JetTrial::DegreeOf(JetTrial::NumberOfBands - 1);
-
-/// Legendre polynomials, times the root of 2 n + 1: on a square their products are orthonormal, and
-/// not far from it on other sets of points.
-using Polynomials = std::array<double, HighestDegree + 1>;
-
-void Legendre(double x, int degree, Polynomials& values)
-{
-  values[0] = 1.0;
-  values[1] = x;
-  for (int n = 1; n < degree; ++n)
-  {
-    values[n + 1] = ((2 * n + 1) * x * values[n] - n * values[n - 1]) / (n + 1);
-  }
-  for (int n = 1; n <= degree; ++n)
-  {
-    values[n] *= std::sqrt(2.0 * n + 1.0);
-  }
-}
-
-/// Their derivatives of order 0 to 3 at 0.
-std::array<Polynomials, 4> DerivativesAtZero()
-{
-  std::array<Polynomials, 4> at{};
-  at[0][0] = 1.0;
-  at[1][1] = 1.0;
-  for (int n = 1; n < HighestDegree; ++n)
-  {
-    for (int k = 0; k < 4; ++k)
-    {
-      // Of x times a polynomial at 0, the derivative of order k is k times that of order k - 1.
-      const double ofProduct = k > 0 ? k * at[k - 1][n] : 0.0;
-      at[k][n + 1] = ((2 * n + 1) * ofProduct - n * at[k][n - 1]) / (n + 1);
-    }
-  }
-  for (auto& derivative : at)
-  {
-    for (int n = 1; n <= HighestDegree; ++n)
-    {
-      derivative[n] *= std::sqrt(2.0 * n + 1.0);
-    }
-  }
-  return at;
-}
+static_assert(HighestDegree <= LegendreSums::HighestDegree, "sums are of too low a degree");
 
 /// Of the derivatives uu, uv, vv, uuu, uuv, uvv, vvv.
 constexpr int NumberOfDerivatives = 7;
 constexpr int Orders[NumberOfDerivatives][2] = { { 2, 0 }, { 1, 1 }, { 0, 2 }, { 3, 0 }, { 2, 1 },
   { 1, 2 }, { 0, 3 } };
-
-/// Columns: the derivatives of each polynomial at the vertex.
-Eigen::MatrixXd Functionals()
-{
-  const std::array<Polynomials, 4> at = DerivativesAtZero();
-  Eigen::MatrixXd functionals(HeightJet::Size(HighestDegree), NumberOfDerivatives);
-  for (int d = 0, row = 0; d <= HighestDegree; ++d)
-  {
-    for (int j = 0; j <= d; ++j, ++row)
-    {
-      for (int f = 0; f < NumberOfDerivatives; ++f)
-      {
-        functionals(row, f) = at[Orders[f][0]][d - j] * at[Orders[f][1]][j];
-      }
-    }
-  }
-  return functionals;
-}
 
 } // namespace
 
@@ -107,7 +47,7 @@ JetTrial JetProbe::Try(Id vertex, int numberOfRings, int bands)
   }
   if (bands > 0)
   {
-    this->SetBasis(JetTrial::DegreeOf(bands - 1));
+    this->Sums_.Add(this->Local_, JetTrial::DegreeOf(bands - 1));
     this->AddBands(bands, trial);
   }
   return trial;
@@ -235,12 +175,12 @@ void JetProbe::TurnToPrincipalAxes()
 void JetProbe::SetBasis(int degree)
 {
   this->Basis_.resize(HeightJet::Size(degree), this->Local_.cols());
-  Polynomials u;
-  Polynomials v;
+  std::array<double, HighestDegree + 1> u{};
+  std::array<double, HighestDegree + 1> v{};
   for (Eigen::Index i = 0; i < this->Local_.cols(); ++i)
   {
-    Legendre(this->Local_(0, i), degree, u);
-    Legendre(this->Local_(1, i), degree, v);
+    LegendreSums::Values(this->Local_(0, i), degree, u.data());
+    LegendreSums::Values(this->Local_(1, i), degree, v.data());
     double* column = this->Basis_.col(i).data();
     for (int d = 0, row = 0; d <= degree; ++d)
     {
@@ -254,10 +194,10 @@ void JetProbe::SetBasis(int degree)
 
 void JetProbe::AddBands(int bands, JetTrial& trial) const
 {
-  static const Eigen::MatrixXd functionals = Functionals();
-  const Eigen::Index size = this->Basis_.rows();
-  Eigen::MatrixXd gram = Eigen::MatrixXd::Zero(size, size);
-  gram.selfadjointView<Eigen::Lower>().rankUpdate(this->Basis_);
+  static const Eigen::MatrixXd functionals =
+    LegendreSums::DerivativesAtZero(Orders, NumberOfDerivatives);
+  const Eigen::MatrixXd gram = this->Sums_.Gram();
+  const Eigen::Index size = gram.rows();
   // Polynomials of some degree on lattices of few points may be 0 on all of them: such a pivot, and
   // all after it, means nothing.
   const Eigen::LLT<Eigen::MatrixXd> factor(gram.selfadjointView<Eigen::Lower>());
@@ -270,7 +210,7 @@ void JetProbe::AddBands(int bands, JetTrial& trial) const
     factor.matrixLLT().diagonal() / std::sqrt(static_cast<double>(this->Local_.cols()));
   Eigen::MatrixXd columns(size, NumberOfDerivatives + 1);
   columns.leftCols(NumberOfDerivatives) = functionals.topRows(size);
-  columns.col(NumberOfDerivatives) = this->Basis_ * this->Local_.row(2).transpose();
+  columns.col(NumberOfDerivatives) = this->Sums_.Heights();
   factor.matrixL().solveInPlace(columns);
   const auto heights = columns.col(NumberOfDerivatives);
   constexpr int times[] = { 1, 2, 1, 1, 3, 3, 1 };

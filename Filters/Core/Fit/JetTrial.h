@@ -3,6 +3,7 @@
 #ifndef ridges_JetTrial_h
 #define ridges_JetTrial_h
 
+#include "Fit/LegendreSums.h"
 #include "Mesh/RingNeighborhood.h"
 
 #include <Eigen/Core>
@@ -96,9 +97,8 @@ private:
   bool IsSteep_ = false;
   Eigen::Matrix3Xd Local_;  ///< Offsets over the plane, in units of the extents and the radius.
   Eigen::Vector2d Extents_; ///< Along the principal axes, in units of the radius.
-  Eigen::MatrixXd Basis_;   ///< A column per point.
-  Eigen::MatrixXd Factor_;  ///< Of Cholesky: lower triangle.
-  Eigen::VectorXd Coefficients_;
+  LegendreSums Sums_;
+  Eigen::MatrixXd Basis_; ///< A column per point.
 };
 
 } // namespace ridges
