@@ -20,6 +20,7 @@ bool IsClosedManifold(vtkPolyData* mesh)
   const vtkIdType numberOfPoints = mesh->GetNumberOfPoints();
   // From an edge to the one before it around the point that both lead to.
   std::unordered_map<vtkIdType, vtkIdType> before;
+  before.reserve(mesh->GetPolys()->GetNumberOfConnectivityIds());
   std::vector<std::size_t> degree(numberOfPoints, 0);
   const auto key = [numberOfPoints](vtkIdType p, vtkIdType q) { return p * numberOfPoints + q; };
   vtkNew<vtkIdList> ids;
