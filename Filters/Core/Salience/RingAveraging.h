@@ -25,8 +25,10 @@ struct AveragingSweep
  * polynomials T, one of n steps is (1 + 2 T_1(A) + ... + 2 T_n(A)) / (2 n + 1): along a row of
  * points the mean of 2 n + 1 of them. It has the variance of n (n + 1) / 3 averages.
  *
- * Set and Prepare work on ranges of points, then Step on ranges and Swap in turn. Ranges of one
- * step may be done at the same time.
+ * Set and Prepare are for points; then Step on ranges of places and Swap take turns. Ranges of one
+ * step may be done at the same time. A point's place is where its values lie in memory: with boxes,
+ * which are for large scales and so for many sweeps, places follow a curve through the mesh
+ * (CurveOrder.h).
  */
 template <int Components>
 class RingAveraging
@@ -35,6 +37,8 @@ public:
   using Values = std::array<double, Components>;
 
   explicit RingAveraging(const OneRings& rings, bool hasBoxes = false);
+  RingAveraging(const RingAveraging&) = delete;
+  RingAveraging& operator=(const RingAveraging&) = delete;
 
   /// The values of p at the start. At a point that does not count they are ignored.
   void Set(Id p, const Values& values, bool counts = true);
@@ -51,7 +55,16 @@ public:
   bool Get(Id p, Values& values) const;
 
 private:
+  void SetPlaces(bool alongCurve);
+  double* At(Buffer<double>& values, Id place)
+  {
+    return values.data() + static_cast<std::size_t>(Stride) * place;
+  }
+
   const OneRings& Rings_;
+  std::vector<Id> Places_;    ///< By point.
+  std::vector<Id> Begins_;    ///< By place, in the list below; one more at the end.
+  std::vector<Id> Neighbors_; ///< Their places, in the order of OneRings.
   // Values times area, and the area that counts, so that a step has nothing to multiply with.
   static constexpr int Stride = Components;
   Buffer<double> Now_;
