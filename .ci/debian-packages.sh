@@ -12,7 +12,7 @@ root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 revision=${1:-1}
 work=$root/build-debian
 
-"$root/.ci/install.sh" build-essential cmake dpkg-dev file gzip libcli11-dev libeigen3-dev libopenmpi-dev \
+"$root/.ci/install.sh" build-essential cmake dpkg-dev file gzip libboost-dev libcli11-dev libeigen3-dev libopenmpi-dev \
   libqt5svg5 libutfcpp-dev libvtk9-dev lintian ninja-build paraview paraview-dev python3-numpy python3-vtk9
 
 options=(-G Ninja -DCMAKE_BUILD_TYPE=Release -DCMAKE_INSTALL_PREFIX=/usr -DBUILD_TESTING=OFF

@@ -12,7 +12,7 @@ root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 python=${1:-/usr/bin/python3}
 work=$root/build-wheel
 
-packages=(build-essential ca-certificates cmake debian-archive-keyring libeigen3-dev ninja-build
+packages=(build-essential ca-certificates cmake debian-archive-keyring libboost-dev libeigen3-dev ninja-build
   libgl1 libgl1-mesa-dri libxrender1 xauth xvfb)
 [ "$python" != /usr/bin/python3 ] || packages+=(python3-dev python3-venv)
 "$root/.ci/install.sh" "${packages[@]}"
