@@ -71,8 +71,9 @@ int vtkImageMongeForm::RequestData(
     return 0;
   }
   const ridges::ImageGrid& grid = image.GetGrid();
-  const double sigma = image.SigmaOf(this->Sigma);
-  const ridges::SmoothedImage smoothed(grid, sigma, vtkRidgesAbortableLoop(this, 0.0, 0.1));
+  const auto loop = vtkRidgesAbortableLoop(this, 0.0, 0.1);
+  const double sigma = image.SigmaOf(this->Sigma, this->IsoValue, input, loop);
+  const ridges::SmoothedImage smoothed(grid, sigma, loop);
   if (vtkRidgesCompatibility::IsAborted(this))
   {
     return 1;
@@ -98,6 +99,7 @@ int vtkImageMongeForm::RequestData(
     auto array = vtkRidgesMakeArray<vtkDoubleArray>(names::ImageNoise);
     array->InsertNextValue(noise);
     vtkRidgesOwnFieldData(output)->AddArray(array);
+    vtkRidgesImage::StoreSigma(sigma, output);
   }
   return 1;
 }

@@ -56,8 +56,10 @@ public:
   ///@{
   /**
    * Standard deviation of the Gaussian, in the unit of the image's spacing, 0 or more. Less than a
-   * sample hardly smooths along that axis. Default 0: 1.5 times the greatest spacing, which is
-   * enough for images without noise; noise of 5 % of the contrast needs 3 and more.
+   * sample hardly smooths along that axis. Default 0: that of the mesh, if its field array
+   * ImageSigma says one, as behind vtkImageSurfaceMesh; else what the noise of the image needs, so
+   * that at half of the surface the standard error of the third order is a quarter of it. That is
+   * 1.5 times the greatest spacing without noise, and four times with noise of 5 % of the contrast.
    */
   vtkSetClampMacro(Sigma, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(Sigma, double);

@@ -90,7 +90,8 @@ int vtkImageSurfaceMesh::RequestData(
   grid.origin.setZero();
   constexpr double share = 0.75;
   constexpr double marginByDeviation = 1.5;
-  const double sigma = image.SigmaOf(this->Sigma);
+  const auto loop = vtkRidgesAbortableLoop(this, 0.0, 0.1);
+  const double sigma = image.SigmaOf(this->Sigma, this->IsoValue, nullptr, loop);
   const double edgeLength = this->EdgeLength > 0.0 ? this->EdgeLength : share * sigma;
   double bounds[6] = {};
   for (int i = 0; i < 3; ++i)
@@ -101,7 +102,6 @@ int vtkImageSurfaceMesh::RequestData(
     bounds[2 * i + 1] = extent - margin;
   }
 
-  const auto loop = vtkRidgesAbortableLoop(this, 0.0, 0.1);
   const ridges::SmoothedImage smoothed(grid, sigma, loop);
   const ridges::SmoothedImage wholly(smoothed.Grid(), sigma, loop, 0.0);
   if (vtkRidgesCompatibility::IsAborted(this))
@@ -136,7 +136,9 @@ int vtkImageSurfaceMesh::RequestData(
   }
   FaceOutward(mesh.GetMesh());
   mesh.Warn(this, "The image ends before");
-  mesh.Store(vtkPolyData::GetData(outputVector));
+  vtkPolyData* output = vtkPolyData::GetData(outputVector);
+  mesh.Store(output);
+  vtkRidgesImage::StoreSigma(sigma, output);
   return 1;
 }
 

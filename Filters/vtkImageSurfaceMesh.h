@@ -50,7 +50,8 @@ public:
   ///@{
   /**
    * Standard deviation of the Gaussian, in the unit of the image's spacing, 0 or more. Default 0:
-   * 1.5 times the greatest spacing, as in vtkImageMongeForm.
+   * what the noise of the image needs, as in vtkImageMongeForm. The field array ImageSigma says
+   * what it was.
    */
   vtkSetClampMacro(Sigma, double, 0.0, VTK_DOUBLE_MAX);
   vtkGetMacro(Sigma, double);

@@ -60,6 +60,7 @@ constexpr const char* GatheredCellId = "GatheredCellId";
 /// @name Mesh, field data, of vtkImageMongeForm
 ///@{
 constexpr const char* ImageNoise = "ImageNoise";
+constexpr const char* ImageSigma = "ImageSigma";
 ///@}
 
 /// @name Mesh, field data, of vtkImplicitSurfaceMesh

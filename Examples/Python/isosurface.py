@@ -2,10 +2,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Ridges and umbilics of an isosurface, from the derivatives of the smoothed image:
 
-    python3 isosurface.py [image.vti isovalue sigma]
+    python3 isosurface.py [image.vti isovalue [sigma]]
 
 Writes ridges.vtp and umbilics.vtp. Without arguments it makes an image of an ellipsoid, with noise of
-5 % of the contrast. Sigma is a length, in the unit of the spacing.
+5 % of the contrast. Sigma is the deviation of the Gaussian that smooths the image, in the unit of the
+spacing; without it, it is what the noise of the image needs.
 """
 
 import sys
@@ -35,12 +36,13 @@ def noisy_ellipsoid(samples=96):
     return producer
 
 
-if len(sys.argv) == 4:
+sigma = 0.0  # what the noise needs
+if len(sys.argv) in (3, 4):
     image = vtkXMLImageDataReader()
     image.SetFileName(sys.argv[1])
-    isovalue, sigma = (float(text) for text in sys.argv[2:])
+    isovalue, sigma = (float(text) for text in [*sys.argv[2:], "0"][:2])
 elif len(sys.argv) == 1:
-    image, isovalue, sigma = noisy_ellipsoid(), 0.5, 4.0
+    image, isovalue = noisy_ellipsoid(), 0.5
 else:
     sys.exit(__doc__)
 
@@ -70,6 +72,7 @@ for name, port in outputs.items():
         sys.exit(f"cannot write {name}")
 
 print(mesh.GetOutput().GetNumberOfPoints(), "points")
-print("noise of the image", forms.GetOutput().GetFieldData().GetArray("ImageNoise").GetValue(0))
+for name in ("ImageNoise", "ImageSigma"):
+    print(name, forms.GetOutput().GetFieldData().GetArray(name).GetValue(0))
 print(umbilics.GetOutput(1).GetNumberOfPoints(), "umbilics")
 print(ridges.GetOutput().GetNumberOfLines(), "lines")

@@ -2,11 +2,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRidgesImage.h"
 
+#include "Core/Fit/ImageScale.h"
+#include "vtkRidgesArrayNames.h"
+#include "vtkRidgesFieldData.h"
+#include "vtkRidgesMakeArray.h"
+
 #include "vtkDataArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkFieldData.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkMatrix3x3.h"
 #include "vtkPointData.h"
+#include "vtkPolyData.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <algorithm>
@@ -88,10 +96,29 @@ std::string vtkRidgesImage::Set(vtkImageData* image)
   return fault;
 }
 
-double vtkRidgesImage::SigmaOf(double property) const
+double vtkRidgesImage::SigmaOf(
+  double property, double isoValue, vtkPolyData* mesh, const ridges::RangeLoop& loop) const
 {
+  if (property > 0.0)
+  {
+    return property;
+  }
+  vtkDataArray* array =
+    mesh ? mesh->GetFieldData()->GetArray(vtkRidgesArrayNames::ImageSigma) : nullptr;
+  if (array && array->GetNumberOfValues() == 1 && array->GetComponent(0, 0) > 0.0)
+  {
+    return array->GetComponent(0, 0);
+  }
   constexpr double samples = 1.5;
-  return property > 0.0 ? property : samples * this->Grid.spacing.maxCoeff();
+  return ridges::ChooseImageScale(
+    this->Grid, isoValue, samples * this->Grid.spacing.maxCoeff(), loop);
+}
+
+void vtkRidgesImage::StoreSigma(double sigma, vtkPolyData* mesh)
+{
+  auto array = vtkRidgesMakeArray<vtkDoubleArray>(vtkRidgesArrayNames::ImageSigma);
+  array->InsertNextValue(sigma);
+  vtkRidgesOwnFieldData(mesh)->AddArray(array);
 }
 
 void vtkRidgesImage::RequestWhole(vtkInformation* image)

@@ -3,6 +3,7 @@
 #ifndef vtkRidgesImage_h
 #define vtkRidgesImage_h
 
+#include "Core/Base/Types.h"
 #include "Core/Formula/ImageFunction.h"
 #include "vtkRidgesCompatibility.h"
 
@@ -12,6 +13,7 @@
 VTK_ABI_NAMESPACE_BEGIN
 class vtkImageData;
 class vtkInformation;
+class vtkPolyData;
 VTK_ABI_NAMESPACE_END
 
 /**
@@ -25,8 +27,14 @@ public:
 
   const ridges::ImageGrid& GetGrid() const { return this->Grid; }
 
-  /// The standard deviation of the smoothing that is meant: 0 is 1.5 times the greatest spacing.
-  double SigmaOf(double property) const;
+  /// The standard deviation of the smoothing that is meant: 0 is that of the mesh, if it says one,
+  /// else what the noise of the image needs around a value, at least 1.5 times the greatest
+  /// spacing.
+  double SigmaOf(
+    double property, double isoValue, vtkPolyData* mesh, const ridges::RangeLoop& loop) const;
+
+  /// Says in a mesh which one it was.
+  static void StoreSigma(double sigma, vtkPolyData* mesh);
 
   /// Asks for all of an image, whatever a filter behind may need of it.
   static void RequestWhole(vtkInformation* image);

@@ -209,6 +209,28 @@ std::size_t NumberOfRidges(vtkPolyData* lines)
   return ids.size();
 }
 
+/// Of a smooth step across the surface, from 1 inside to 0 outside.
+vtkSmartPointer<vtkImageData> NoisyEllipsoid(double noise)
+{
+  const auto image = vtkSmartPointer<vtkImageData>::New();
+  image->SetDimensions(144, 112, 80);
+  image->SetOrigin(-71.5, -55.5, -39.5);
+  std::mt19937 generator(1);
+  std::normal_distribution<double> normal(0.0, noise);
+  Sample(image,
+    [&generator, &normal](double x, double y, double z)
+    {
+      const double f = std::sqrt(x * x / 3136.0 + y * y / 1600.0 + z * z / 576.0);
+      return 1.0 / (1.0 + std::exp(32.0 * (f - 1.0))) + normal(generator);
+    });
+  return image;
+}
+
+double SigmaOf(vtkPolyData* mesh)
+{
+  return mesh->GetFieldData()->GetArray(names::ImageSigma)->GetComponent(0, 0);
+}
+
 } // namespace
 
 // A quadratic image is smoothed to itself and a constant: the filter has to agree to round-off, at
@@ -271,17 +293,7 @@ TEST(ImageMongeForm, StandardErrorsAreThoseOfNoise)
 // Noise of 5 % of the contrast.
 TEST(ImageMongeForm, RidgesOfANoisyImageAreThoseOfTheSurface)
 {
-  vtkNew<vtkImageData> image;
-  image->SetDimensions(144, 112, 80);
-  image->SetOrigin(-71.5, -55.5, -39.5);
-  std::mt19937 generator(1);
-  std::normal_distribution<double> normal(0.0, 0.05);
-  Sample(image,
-    [&generator, &normal](double x, double y, double z)
-    {
-      const double f = std::sqrt(x * x / 3136.0 + y * y / 1600.0 + z * z / 576.0);
-      return 1.0 / (1.0 + std::exp(32.0 * (f - 1.0))) + normal(generator);
-    });
+  const auto image = NoisyEllipsoid(0.05);
   vtkNew<vtkImageSurfaceMesh> source;
   source->SetInputData(image);
   source->SetIsoValue(0.5);
@@ -297,6 +309,40 @@ TEST(ImageMongeForm, RidgesOfANoisyImageAreThoseOfTheSurface)
   ridges->SetLoopSignificance(0.0); // all that noise makes
   ridges->Update();
   EXPECT_GT(NumberOfRidges(ridges->GetOutput()), 8u);
+}
+
+TEST(ImageMongeForm, ChoosesSigmaByTheNoise)
+{
+  const auto image = NoisyEllipsoid(0.05);
+  vtkNew<vtkImageSurfaceMesh> source;
+  source->SetInputData(image);
+  source->SetIsoValue(0.5);
+  vtkNew<vtkImageMongeForm> forms;
+  forms->SetInputConnection(0, source->GetOutputPort());
+  forms->SetInputData(1, image);
+  forms->SetIsoValue(0.5);
+  vtkNew<vtkUmbilicDetection> umbilics;
+  umbilics->SetInputConnection(forms->GetOutputPort());
+  vtkNew<vtkRidgeExtraction> ridges;
+  ridges->SetInputConnection(umbilics->GetOutputPort());
+  ridges->Update();
+  EXPECT_EQ(umbilics->GetOutput(1)->GetNumberOfPoints(), 4);
+  EXPECT_EQ(NumberOfRidges(ridges->GetOutput()), 6u);
+
+  // The mesh says it; without that, it is chosen again, and the same.
+  const double sigma = SigmaOf(forms->GetOutput());
+  EXPECT_NEAR(sigma, 4.25, 0.75);
+  EXPECT_EQ(SigmaOf(source->GetOutput()), sigma);
+  source->SetSigma(sigma);
+  source->SetEdgeLength(15.0); // a few points will do
+  source->Update();
+  vtkNew<vtkPolyData> bare;
+  bare->CopyStructure(source->GetOutput());
+  EXPECT_EQ(SigmaOf(FromImage(bare, image, 0.0, 0.5)), sigma);
+
+  // Less noise needs less, and hardly any at all leaves one and a half samples.
+  EXPECT_LT(SigmaOf(FromImage(bare, NoisyEllipsoid(0.01), 0.0, 0.5)), 0.75 * sigma);
+  EXPECT_EQ(SigmaOf(FromImage(bare, NoisyEllipsoid(1e-4), 0.0, 0.5)), 1.5);
 }
 
 // The fineness of the samples hardly matters: the error is that of the sums' ends.

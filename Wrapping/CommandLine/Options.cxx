@@ -135,8 +135,8 @@ void AddImage(CLI::App& app, Options& options, Filters& filters)
         mesh->SetSigma(sigma);
         forms->SetSigma(sigma);
       },
-      "standard deviation of the Gaussian that smooths the image; 0 is 1.5 samples, noise needs "
-      "more")
+      "standard deviation of the Gaussian that smooths the image; 0 is what its noise needs, at "
+      "least 1.5 samples")
     ->needs(image);
 }
 
@@ -285,7 +285,7 @@ std::optional<int> ParseCommandLine(int argc, char** argv, Options& options, Fil
              "  vtkridges scan.ply --complete --minimum-sharpness 300\n"
              "  vtkridges part.stl --crest-only --output pictures/part\n"
              "  vtkridges --surface ellipsoid --view 1,-1,1 --output ellipsoid\n"
-             "  vtkridges --image head.vti --isovalue 500 --sigma 2\n"
+             "  vtkridges --image head.vti --isovalue 500\n"
              "  vtkridges --formula 'x^4+y^4+z^2-1' --bounds -1.1,1.1,-1.1,1.1,-1.1,1.1\n"
              "  xvfb-run -a vtkridges part.stl         (without an X display)");
   try

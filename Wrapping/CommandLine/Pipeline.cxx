@@ -15,6 +15,9 @@
 #include "vtkStringArray.h"
 #include "vtkTable.h"
 
+#include <iomanip>
+#include <sstream>
+
 namespace program
 {
 namespace
@@ -177,6 +180,27 @@ void RunForms(vtkPolyData* mesh, const Options& options, Filters& filters, Stage
   stages.Run("exact forms", "see --formula", forms, [forms] { forms->Update(); });
 }
 
+/// What the fit or the smoothing of the image chose; empty without either.
+std::string FitOf(vtkFieldData* data)
+{
+  auto* fit =
+    vtkStringArray::SafeDownCast(data->GetAbstractArray(vtkRidgesArrayNames::SelectedFit));
+  if (fit)
+  {
+    return fit->GetValue(0);
+  }
+  vtkDataArray* sigma = data->GetArray(vtkRidgesArrayNames::ImageSigma);
+  vtkDataArray* noise = data->GetArray(vtkRidgesArrayNames::ImageNoise);
+  if (!sigma || !noise)
+  {
+    return {};
+  }
+  std::ostringstream text;
+  text << std::setprecision(3) << "the image smoothed by " << sigma->GetComponent(0, 0)
+       << ", for noise of " << noise->GetComponent(0, 0) << " in its values";
+  return text.str();
+}
+
 /// Fits at the points of the mesh.
 void RunJetFitting(vtkPolyData* mesh, vtkJetFitting* jetFitting, Stages& stages)
 {
@@ -240,9 +264,7 @@ void RunComplete(const Options& options, Filters& filters, Stages& stages, Resul
     results.checks = filters.coherence->GetOutput();
   }
   results.mesh = vtkPolyData::SafeDownCast(filters.ridges->GetOutput(2));
-  auto* fit = vtkStringArray::SafeDownCast(
-    results.mesh->GetFieldData()->GetAbstractArray(vtkRidgesArrayNames::SelectedFit));
-  results.selectedFit = fit ? fit->GetValue(0) : std::string();
+  results.selectedFit = FitOf(results.mesh->GetFieldData());
   results.umbilics = vtkPolyData::SafeDownCast(filters.umbilics->GetOutput(1));
   results.allRidges = filters.ridges->GetOutput();
   results.ridges = filters.sharpness->GetOutput();
