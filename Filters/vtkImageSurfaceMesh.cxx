@@ -111,10 +111,11 @@ int vtkImageSurfaceMesh::RequestData(
   const ridges::ImageFunction function(smoothed.Grid(), sigma, this->IsoValue);
   const ridges::ImplicitExactSurface surface(function);
   const ridges::InterpolatedImage rough(wholly.Grid(), this->IsoValue);
+  const ridges::ImplicitExactSurface roughSurface(rough);
   vtkRidgesEvenMesh mesh;
   mesh.contour.box = "the image";
   mesh.contour.what = "the smoothed values, less IsoValue, are";
-  if (!mesh.Make(this, rough, surface, bounds, edgeLength))
+  if (!mesh.Make(this, rough, roughSurface, surface, bounds, edgeLength))
   {
     if (mesh.contour.hasNaN)
     {

@@ -59,7 +59,8 @@ int vtkImplicitSurfaceMesh::RequestData(
   }
 
   vtkRidgesEvenMesh mesh;
-  if (!mesh.Make(this, surface.GetFunction(), surface.Get(), this->Bounds, edgeLength))
+  if (!mesh.Make(
+        this, surface.GetFunction(), surface.Get(), surface.Get(), this->Bounds, edgeLength))
   {
     if (mesh.contour.hasNaN)
     {

@@ -13,7 +13,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <functional>
+#include <vector>
 
 namespace
 {
@@ -28,36 +30,43 @@ struct SharpPoints
   ridges::Id first = 0;
 };
 
-SharpPoints FindSharpPoints(
-  const ridges::EditableMesh& mesh, const ridges::ExactSurface& surface, double edgeLength)
+bool FindSharpPoints(const ridges::EditableMesh& mesh, const ridges::ExactSurface& surface,
+  double edgeLength, const ridges::StoppableLoop& loop, SharpPoints& sharp)
 {
-  SharpPoints sharp;
-  const auto end = static_cast<ridges::Id>(mesh.points.size());
-  for (ridges::Id first = 0; first < end; first += ridges::Lanes::Count)
+  std::vector<std::uint8_t> isSharp(mesh.points.size(), 0);
+  const auto look = [&mesh, &surface, &isSharp, edgeLength](ridges::Id begin, ridges::Id end)
   {
-    ridges::SurfacePoints points;
-    points.count = std::min(end - first, static_cast<ridges::Id>(ridges::Lanes::Count));
-    std::copy_n(mesh.points.begin() + first, points.count, points.position.begin());
-    surface.Locate(points);
-    surface.Differentiate(points);
-    for (int lane = 0; lane < points.count; ++lane)
+    for (ridges::Id first = begin; first < end; first += ridges::Lanes::Count)
     {
-      const ridges::MongeForm& form = points.form[lane];
-      const bool isGood = points.fault[lane] == ridges::ExactFault::None &&
-        std::max(std::abs(form.k1), std::abs(form.k2)) * edgeLength <= 1.0;
-      if (!isGood && sharp.count++ == 0)
+      ridges::SurfacePoints points;
+      points.count = std::min(end - first, static_cast<ridges::Id>(ridges::Lanes::Count));
+      std::copy_n(mesh.points.begin() + first, points.count, points.position.begin());
+      surface.Locate(points);
+      surface.Differentiate(points);
+      for (int lane = 0; lane < points.count; ++lane)
       {
-        sharp.first = first + lane;
+        const ridges::MongeForm& form = points.form[lane];
+        const bool isGood = points.fault[lane] == ridges::ExactFault::None &&
+          std::max(std::abs(form.k1), std::abs(form.k2)) * edgeLength <= 1.0;
+        isSharp[first + lane] = isGood ? 0 : 1;
       }
     }
+  };
+  if (!loop(static_cast<ridges::Id>(mesh.points.size()), look))
+  {
+    return false;
   }
-  return sharp;
+  sharp.count = static_cast<ridges::Id>(std::count(isSharp.begin(), isSharp.end(), 1));
+  sharp.first =
+    static_cast<ridges::Id>(std::find(isSharp.begin(), isSharp.end(), 1) - isSharp.begin());
+  return true;
 }
 
 } // namespace
 
 bool vtkRidgesEvenMesh::Make(vtkAlgorithm* filter, const ridges::JetFunction& function,
-  const ridges::ExactSurface& surface, const double bounds[6], double edgeLength)
+  const ridges::ExactSurface& rough, const ridges::ExactSurface& surface, const double bounds[6],
+  double edgeLength)
 {
   this->EdgeLength = edgeLength;
   if (!this->contour.Make(filter, function, bounds, edgeLength, Contoured))
@@ -70,17 +79,21 @@ bool vtkRidgesEvenMesh::Make(vtkAlgorithm* filter, const ridges::JetFunction& fu
                       ridges::Id count, const std::function<void(ridges::Id, ridges::Id)>& body)
   {
     const auto progressAt = [](int done)
-    { return Contoured + (1.0 - Contoured) * done / ridges::MakeEvenLoops; };
+    { return Contoured + (1.0 - Contoured) * done / (ridges::MakeEvenLoops + 1); };
     const auto run = [&body](vtkIdType begin, vtkIdType end)
     { body(static_cast<ridges::Id>(begin), static_cast<ridges::Id>(end)); };
     const double from = progressAt(loops);
     return vtkRidgesForBatches(filter, count, from, progressAt(++loops), run);
   };
-  if (!ridges::MakeEven(mesh, surface, edgeLength, loop))
+  if (!ridges::MakeEven(mesh, rough, surface, edgeLength, loop))
   {
     return false;
   }
-  const SharpPoints sharp = FindSharpPoints(mesh, surface, edgeLength);
+  SharpPoints sharp;
+  if (!FindSharpPoints(mesh, surface, edgeLength, loop, sharp))
+  {
+    return false;
+  }
   this->NumberOfSharpPoints = sharp.count;
   this->FirstSharpPoint = sharp.first;
   this->NumberOfBorderEdges = ridges::CountBorderEdges(mesh);

@@ -17,10 +17,11 @@ VTK_ABI_NAMESPACE_END
 class vtkRidgesEvenMesh
 {
 public:
-  /// False if the user aborted, or if something is wrong: see `contour`. The function need not be
-  /// more exact than its contour.
+  /// False if the user aborted, or if something is wrong: see `contour`. The function, and `rough`,
+  /// its surface, need not be more exact than a contour.
   bool Make(vtkAlgorithm* filter, const ridges::JetFunction& function,
-    const ridges::ExactSurface& surface, const double bounds[6], double edgeLength);
+    const ridges::ExactSurface& rough, const ridges::ExactSurface& surface, const double bounds[6],
+    double edgeLength);
 
   ridges::EditableMesh& GetMesh() { return this->contour.mesh; }
 

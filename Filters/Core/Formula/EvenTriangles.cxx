@@ -15,7 +15,8 @@ namespace
 
 constexpr int Rounds = 10;
 constexpr int LastRounds = 5; ///< Without changes of the number of points.
-static_assert(MakeEvenLoops == 1 + 2 * (Rounds + LastRounds), "one at first, two to relax");
+static_assert(
+  MakeEvenLoops == 2 + 2 * (Rounds + LastRounds), "one at first and at the end, two to relax");
 
 /// Moves points to the surface, each from its target; those stay for which there is no place within
 /// a distance, and those on the border.
@@ -71,18 +72,18 @@ void Repeat(int atMost, const Pass& pass)
 
 } // namespace
 
-bool MakeEven(
-  EditableMesh& mesh, const ExactSurface& surface, double edgeLength, const StoppableLoop& loop)
+bool MakeEven(EditableMesh& mesh, const ExactSurface& rough, const ExactSurface& surface,
+  double edgeLength, const StoppableLoop& loop)
 {
   constexpr int passes = 5;
   const double shortest = 0.8 * edgeLength;
   const double longest = 4.0 / 3.0 * edgeLength;
-  const PlacePoint place = [&surface, edgeLength](Eigen::Vector3d& point)
+  const PlacePoint place = [&rough, edgeLength](Eigen::Vector3d& point)
   {
     SurfacePoints single;
     single.count = 1;
     single.position[0] = point;
-    surface.Locate(single);
+    rough.Locate(single);
     const bool isGood =
       single.fault[0] == ExactFault::None && (single.position[0] - point).norm() <= edgeLength;
     point = isGood ? single.position[0] : point;
@@ -91,7 +92,7 @@ bool MakeEven(
   const auto flip = [&mesh]() { return FlipToDelaunay(mesh); };
 
   const std::vector<Eigen::Vector3d> first = mesh.points;
-  bool goesOn = MovePoints(mesh, first, surface, edgeLength, loop);
+  bool goesOn = MovePoints(mesh, first, rough, edgeLength, loop);
   for (int round = 0; goesOn && round < Rounds + LastRounds; ++round)
   {
     if (round < Rounds)
@@ -102,9 +103,14 @@ bool MakeEven(
       Repeat(passes, [&mesh, longest, &place]() { return SplitLongEdges(mesh, longest, place); });
     }
     Repeat(passes, flip);
-    goesOn = Relax(mesh, surface, edgeLength, loop);
+    goesOn = Relax(mesh, rough, edgeLength, loop);
   }
   Repeat(passes, flip);
+  if (goesOn && &rough != &surface)
+  {
+    const std::vector<Eigen::Vector3d> near = mesh.points;
+    goesOn = MovePoints(mesh, near, surface, edgeLength, loop);
+  }
   return goesOn;
 }
 

@@ -8,6 +8,35 @@
 
 namespace ridges
 {
+namespace
+{
+
+/// Of Catmull and Rom: four samples along an axis, of which those beyond the border are the last
+/// ones again.
+struct CubicWeights
+{
+  CubicWeights() = default;
+  CubicWeights(double index, int size)
+  {
+    const double inside = std::clamp(index, 0.0, size - 1.0);
+    const double lower = std::min(std::floor(inside), size - 2.0);
+    const double t = inside - lower;
+    for (int i = 0; i < 4; ++i)
+    {
+      sample[i] = static_cast<std::size_t>(std::clamp(lower + i - 1.0, 0.0, size - 1.0));
+    }
+    value = { 0.5 * t * (-1.0 + t * (2.0 - t)), 1.0 + 0.5 * t * t * (-5.0 + 3.0 * t),
+      0.5 * t * (1.0 + t * (4.0 - 3.0 * t)), 0.5 * t * t * (t - 1.0) };
+    slope = { 0.5 * (-1.0 + t * (4.0 - 3.0 * t)), 0.5 * t * (-10.0 + 9.0 * t),
+      0.5 * (1.0 + t * (8.0 - 9.0 * t)), 0.5 * t * (3.0 * t - 2.0) };
+  }
+
+  std::array<std::size_t, 4> sample{};
+  std::array<double, 4> value{};
+  std::array<double, 4> slope{};
+};
+
+} // namespace
 
 InterpolatedImage::InterpolatedImage(const ImageGrid& grid, double value)
   : PointwiseFunction(grid.spacing.cwiseInverse().asDiagonal() * grid.axes.transpose())
@@ -19,32 +48,34 @@ InterpolatedImage::InterpolatedImage(const ImageGrid& grid, double value)
 void InterpolatedImage::Evaluate(const Eigen::Vector3d& x, int order, double* coefficients) const
 {
   const Eigen::Vector3d index = this->Grid_.IndexOf(x);
-  std::array<std::size_t, 3> first{};
-  std::array<double, 3> share{};
+  std::array<CubicWeights, 3> axes;
   for (int i = 0; i < 3; ++i)
   {
-    const double inside = std::clamp(index[i], 0.0, this->Grid_.size[i] - 1.0);
-    const double lower = std::min(std::floor(inside), this->Grid_.size[i] - 2.0);
-    first[i] = static_cast<std::size_t>(lower);
-    share[i] = inside - lower;
+    axes[i] = CubicWeights(index[i], this->Grid_.size[i]);
   }
   std::fill_n(coefficients, Taylor3<4>::Offset(order + 1), 0.0);
   coefficients[0] = -this->Value_;
-  for (std::size_t corner = 0; corner < 8; ++corner)
+  double& alongX = coefficients[Taylor3<4>::Index(1, 0, 0)];
+  double& alongY = coefficients[Taylor3<4>::Index(0, 1, 0)];
+  double& alongZ = coefficients[Taylor3<4>::Index(0, 0, 1)];
+  for (int k = 0; k < 4; ++k)
   {
-    const std::array<std::size_t, 3> side{ corner & 1, corner >> 1 & 1, corner >> 2 };
-    const auto row = (first[2] + side[2]) * this->Grid_.size[1] + first[1] + side[1];
-    const double sample = this->Grid_.values[row * this->Grid_.size[0] + first[0] + side[0]];
-    std::array<double, 3> weight{};
-    for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 4; ++j)
     {
-      weight[i] = side[i] == 1 ? share[i] : 1.0 - share[i];
+      const auto row = axes[2].sample[k] * this->Grid_.size[1] + axes[1].sample[j];
+      const double* samples = this->Grid_.values + row * this->Grid_.size[0];
+      double value = 0.0;
+      double slope = 0.0;
+      for (int i = 0; i < 4; ++i)
+      {
+        value += axes[0].value[i] * samples[axes[0].sample[i]];
+        slope += axes[0].slope[i] * samples[axes[0].sample[i]];
+      }
+      coefficients[0] += axes[2].value[k] * axes[1].value[j] * value;
+      alongX += axes[2].value[k] * axes[1].value[j] * slope;
+      alongY += axes[2].value[k] * axes[1].slope[j] * value;
+      alongZ += axes[2].slope[k] * axes[1].value[j] * value;
     }
-    coefficients[0] += weight[0] * weight[1] * weight[2] * sample;
-    const auto slope = [&side](int i) { return side[i] == 1 ? 1.0 : -1.0; };
-    coefficients[Taylor3<4>::Index(1, 0, 0)] += slope(0) * weight[1] * weight[2] * sample;
-    coefficients[Taylor3<4>::Index(0, 1, 0)] += weight[0] * slope(1) * weight[2] * sample;
-    coefficients[Taylor3<4>::Index(0, 0, 1)] += weight[0] * weight[1] * slope(2) * sample;
   }
 }
 

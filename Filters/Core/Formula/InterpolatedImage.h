@@ -8,9 +8,9 @@
 namespace ridges
 {
 
-/// The samples of an image, less a value, linearly interpolated: much faster than ImageFunction,
-/// and good enough for a first mesh. Its polynomials are linear. At the nearest place inside,
-/// outside.
+/// The samples of an image, less a value, interpolated by cubic polynomials whose slopes are
+/// continuous: much faster than ImageFunction, and good enough until a mesh is even. Value and
+/// slope only. At the nearest place inside, outside.
 class InterpolatedImage : public PointwiseFunction
 {
 public:
