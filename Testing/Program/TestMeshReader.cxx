@@ -174,6 +174,35 @@ TEST(MeshReader, ChecksArraysBehindOneWithKeys)
   }
 }
 
+// Else VTK takes whatever stands there for numbers of blocks, and makes room for them.
+TEST(MeshReader, NeedsTheMarkBeforeAppendedData)
+{
+  int files = 0;
+  for (const MeshBytes& file : WriteInAllFormats(Ellipsoid(2)))
+  {
+    const std::size_t appended = file.bytes.find("<AppendedData");
+    if (file.name.find(".vtp") != std::string::npos && appended != std::string::npos)
+    {
+      ++files;
+      std::string bytes = file.bytes;
+      const std::size_t mark = bytes.find('_', appended);
+      bytes.erase(mark, 1);
+      bytes.insert(mark + 60, "_"); // in the middle of the data
+      EXPECT_NE(FailureOf(bytes, file.name).find("do not begin with _"), std::string::npos)
+        << file.name;
+      if (file.bytes.find("encoding=\"base64\"", appended) != std::string::npos)
+      {
+        bytes = file.bytes;
+        bytes.insert(mark + 6, " ");
+        EXPECT_NE(
+          FailureOf(bytes, file.name).find("size of an array is missing"), std::string::npos)
+          << file.name;
+      }
+    }
+  }
+  EXPECT_EQ(files, 2);
+}
+
 TEST(MeshReader, DoesNotMakeRoomForCornersThatTheFileCannotHold)
 {
   for (const MeshBytes& file : WriteInAllFormats(Ellipsoid(2)))

@@ -39,7 +39,8 @@ std::string_view Attribute(std::string_view tag, std::string_view name)
   return {};
 }
 
-/// Decodes the beginning of a text in base 64, as many bytes as are asked for. False if it cannot.
+/// Decodes the beginning of a text in base 64, as many bytes as are asked for. Blanks may be before
+/// it, but not inside: VTK would take them for digits. False if it cannot.
 bool Decode(std::string_view text, char* bytes, std::size_t size)
 {
   constexpr std::string_view digits =
@@ -47,18 +48,16 @@ bool Decode(std::string_view text, char* bytes, std::size_t size)
   std::uint32_t bits = 0;
   std::size_t bitCount = 0;
   std::size_t count = 0;
-  for (std::size_t i = 0; i < text.size() && count < size; ++i)
+  const std::size_t begin = std::min(text.find_first_not_of(Blanks), text.size());
+  for (std::size_t i = begin; i < text.size() && count < size; ++i)
   {
     const std::size_t digit = digits.find(text[i]);
-    if (digit != std::string_view::npos)
-    {
-      bits = (bits << 6U) | static_cast<std::uint32_t>(digit);
-      bitCount += 6;
-    }
-    else if (Blanks.find(text[i]) == std::string_view::npos)
+    if (digit == std::string_view::npos)
     {
       return false;
     }
+    bits = (bits << 6U) | static_cast<std::uint32_t>(digit);
+    bitCount += 6;
     if (bitCount >= 8)
     {
       bitCount -= 8;
@@ -176,8 +175,14 @@ private:
     if (appended != std::string_view::npos)
     {
       this->IsRaw = Attribute(this->TagAt(appended), "encoding") == "raw";
-      const std::size_t mark = this->Bytes.find('_', this->Bytes.find('>', appended));
-      this->Appended = mark == std::string_view::npos ? mark : mark + 1;
+      const std::size_t tagEnd = this->Bytes.find('>', appended);
+      const std::size_t mark = this->Bytes.find_first_not_of(Blanks, tagEnd + 1);
+      if (tagEnd == std::string_view::npos || mark == std::string_view::npos ||
+        this->Bytes[mark] != '_')
+      {
+        this->Fail(": its appended data do not begin with _");
+      }
+      this->Appended = mark + 1;
     }
   }
 
