@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "OptionChecks.h"
 
+#include "Reading/PiecesReader.h"
+
 #include <algorithm>
+#include <array>
 
 namespace program
 {
@@ -192,6 +195,35 @@ void CheckChecks(const CLI::App& app, const Options& options, const Filters& fil
   }
 }
 
+/// What takes the whole mesh on one rank, or a filter that knows of one only.
+void CheckRanks(const CLI::App& app, Options& options)
+{
+  if (options.numberOfRanks == 1)
+  {
+    return;
+  }
+  const auto refuse = [](const std::string& name, const std::string& reason)
+  { throw Contradiction(name + " does not work on several ranks (mpirun)" + reason); };
+  constexpr std::array<const char*, 9> names = { "--salient", "--monge-order", "--extract",
+    "--crest-only", "--extremality-rule", "--check", "--picture-size", "--view", "--up" };
+  for (const CLI::Option* option : app.get_options())
+  {
+    const bool isNamed = std::any_of(
+      names.begin(), names.end(), [option](const char* name) { return option->check_name(name); });
+    if (option->count() > 0 &&
+      (isNamed || IsOfGroup(option, { "Formula", "Image", "Salient lines" })))
+    {
+      refuse(option->get_name(), "");
+    }
+  }
+  if (IsOfPieces(options.mesh) && app.count("--orient") > 0)
+  {
+    refuse("--orient", " with the pieces of a .pvtp");
+  }
+  options.lines = Lines::Complete;
+  options.noPicture = true;
+}
+
 } // namespace
 
 void CheckOptions(const CLI::App& app, Options& options, const Filters& filters)
@@ -217,6 +249,7 @@ void CheckOptions(const CLI::App& app, Options& options, const Filters& filters)
       throw Contradiction("--view and --up need a direction, which 0,0,0 is not");
     }
   }
+  CheckRanks(app, options);
   CheckLines(app, options);
   CheckFormula(app, options);
   CheckImage(app, options);

@@ -215,7 +215,7 @@ void AddGeneral(CLI::App& app, Options& options)
     .Number<int>(
       "--threads", "N", options.threads, { 1, 1024 },
       [&options](int value) { options.threads = value; },
-      "number of threads, at most one for each processor")
+      "number of threads, of each rank with mpirun, at most one for each processor")
     ->default_str("all");
   group.Flag(
     "-q,--quiet", [&options](bool on) { options.quiet = on; }, "print only errors");
@@ -287,7 +287,8 @@ std::optional<int> ParseCommandLine(int argc, char** argv, Options& options, Fil
              "  vtkridges --surface ellipsoid --view 1,-1,1 --output ellipsoid\n"
              "  vtkridges --image head.vti --isovalue 500\n"
              "  vtkridges --formula 'x^4+y^4+z^2-1' --bounds -1.1,1.1,-1.1,1.1,-1.1,1.1\n"
-             "  xvfb-run -a vtkridges part.stl         (without an X display)");
+             "  xvfb-run -a vtkridges part.stl         (without an X display)\n"
+             "  mpirun -np 4 vtkridges huge.pvtp       (all ridges, without a picture)");
   try
   {
     app.parse(argc, argv);

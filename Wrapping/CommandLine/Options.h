@@ -18,7 +18,9 @@
 #include "vtkRidgeExampleSource.h"
 #include "vtkRidgeExtraction.h"
 #include "vtkRidgeSharpnessFilter.h"
+#include "vtkRidgesAndUmbilics.h"
 #include "vtkSalientRidges.h"
+#include "vtkSmartPointer.h"
 #include "vtkUmbilicDetection.h"
 
 #include <optional>
@@ -41,7 +43,8 @@ struct Filters
   vtkNew<vtkRidgeExtraction> ridges;
   vtkNew<vtkRidgeCoherence> coherence;
   vtkNew<vtkRidgeSharpnessFilter> sharpness;
-  vtkNew<vtkSalientRidges> salient; ///< From the mesh, instead of the others.
+  vtkNew<vtkSalientRidges> salient;              ///< From the mesh, instead of the others.
+  vtkSmartPointer<vtkRidgesAndUmbilics> onRanks; ///< Instead of all from fit to filter.
 };
 
 /// What is no property of a filter.
@@ -64,6 +67,7 @@ struct Options
   bool noPicture = false;
   PictureOptions picture;
   int threads = 0; ///< 0: all.
+  int numberOfRanks = 1;
   bool quiet = false;
 };
 

@@ -133,7 +133,8 @@ void RunImage(const Options& options, Filters& filters, Stages& stages)
   filters.imageForms->SetInputData(1, image);
 }
 
-/// A mesh, of the file, of the image, of the formula or of the example.
+} // namespace
+
 vtkSmartPointer<vtkPolyData> MakeMesh(
   const Options& options, Filters& filters, Stages& stages, Results& results)
 {
@@ -162,6 +163,9 @@ vtkSmartPointer<vtkPolyData> MakeMesh(
     [source] { source->Update(); });
   return source->GetOutput();
 }
+
+namespace
+{
 
 /// Forms at the points of the mesh, which move to the surface.
 void RunForms(vtkPolyData* mesh, const Options& options, Filters& filters, Stages& stages)

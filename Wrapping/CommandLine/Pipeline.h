@@ -10,6 +10,11 @@
 namespace program
 {
 
+/// The mesh of the file as the filters get it, or that of the image, of the formula or of the
+/// example. Throws Failure.
+vtkSmartPointer<vtkPolyData> MakeMesh(
+  const Options& options, Filters& filters, Stages& stages, Results& results);
+
 /// Runs the filters one after the other, from the mesh to the ridges that are kept. Throws Failure.
 void RunFilters(const Options& options, Filters& filters, Stages& stages, Results& results);
 

@@ -8,6 +8,9 @@
 #include "OutputFiles.h"
 #include "Picture.h"
 #include "Pipeline.h"
+#include "RankPipeline.h"
+#include "Ranks.h"
+#include "Reading/PiecesReader.h"
 #include "Report.h"
 
 #include "vtkPNGWriter.h"
@@ -16,6 +19,8 @@
 #include "vtkXMLPolyDataWriter.h"
 
 #include <algorithm>
+#include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <iostream>
 #include <new>
@@ -29,11 +34,11 @@ namespace fs = std::filesystem;
 
 struct FileNames
 {
-  explicit FileNames(const std::string& prefix)
-    : ridges(prefix + "-ridges.vtp")
-    , umbilics(prefix + "-umbilics.vtp")
-    , mesh(prefix + "-mesh.vtp")
-    , picture(prefix + ".png")
+  explicit FileNames(const Options& options)
+    : ridges(options.output + "-ridges.vtp")
+    , umbilics(options.output + "-umbilics.vtp")
+    , mesh(options.output + (options.numberOfRanks > 1 ? "-mesh.pvtp" : "-mesh.vtp"))
+    , picture(options.output + ".png")
   {
   }
 
@@ -45,7 +50,7 @@ struct FileNames
 
 std::vector<std::string> FilesToWrite(const Options& options)
 {
-  const FileNames files(options.output);
+  const FileNames files(options);
   std::vector<std::string> list{ files.ridges, files.umbilics };
   if (options.writeMesh)
   {
@@ -77,6 +82,31 @@ void CheckOutput(const Options& options)
   }
 }
 
+bool IsOneOf(const std::string& name, const std::vector<std::string>& others)
+{
+  std::error_code error;
+  return std::any_of(others.begin(), others.end(),
+    [&name, &error](const std::string& other) { return fs::equivalent(name, other, error); });
+}
+
+/// The same for what each rank writes.
+void CheckOutputOfRank(const Options& options, const Ranks& ranks)
+{
+  if (ranks.IsFirst())
+  {
+    CheckOutput(options);
+  }
+  if (ranks.AreSeveral() && options.writeMesh)
+  {
+    const std::string name = NameOfPiece(FileNames(options).mesh, ranks.Rank());
+    if (IsOfPieces(options.mesh) && IsOneOf(name, PiecesOf(options.mesh)))
+    {
+      throw Failure(name + " would overwrite a piece of the mesh", "change --output");
+    }
+    CheckWritable(name);
+  }
+}
+
 /// Through a string: VTK's writer crashes on a full disk.
 void AddData(OutputFiles& files, vtkPolyData* data, const std::string& name)
 {
@@ -102,21 +132,46 @@ void AddPicture(OutputFiles& files, vtkImageData* picture, const std::string& na
     static_cast<std::size_t>(bytes->GetNumberOfValues()));
 }
 
-void WriteFiles(const Options& options, const Results& results, vtkImageData* picture)
+/// The mesh, or a rank's piece of it.
+void AddMesh(
+  OutputFiles& files, const Results& results, const std::string& name, const Ranks& ranks)
 {
-  const FileNames names(options.output);
+  if (!ranks.AreSeveral())
+  {
+    AddData(files, results.mesh, name);
+    return;
+  }
+  AddData(files, results.mesh, NameOfPiece(name, ranks.Rank()));
+  if (ranks.IsFirst())
+  {
+    const std::string text = TextOfPieces(results.mesh, name, ranks.Size());
+    files.Add(name, text.data(), text.size());
+  }
+}
+
+void WriteFiles(
+  const Options& options, const Results& results, vtkImageData* picture, const Ranks& ranks)
+{
+  const FileNames names(options);
   OutputFiles files;
-  AddData(files, results.ridges, names.ridges);
-  AddData(files, results.umbilics, names.umbilics);
-  if (options.writeMesh)
-  {
-    AddData(files, results.mesh, names.mesh);
-  }
-  if (picture)
-  {
-    AddPicture(files, picture, names.picture);
-  }
-  files.Complete();
+  ranks.Together(
+    [&files, &options, &results, &names, &ranks, picture]
+    {
+      if (ranks.IsFirst())
+      {
+        AddData(files, results.ridges, names.ridges);
+        AddData(files, results.umbilics, names.umbilics);
+      }
+      if (options.writeMesh)
+      {
+        AddMesh(files, results, names.mesh, ranks);
+      }
+      if (picture)
+      {
+        AddPicture(files, picture, names.picture);
+      }
+    });
+  ranks.Together([&files] { files.Complete(); });
 }
 
 vtkSmartPointer<vtkImageData> Draw(
@@ -142,17 +197,24 @@ void SetThreads(int threads)
   }
 }
 
-ExitCode Run(const Options& options, Filters& filters)
+ExitCode Run(const Options& options, Filters& filters, const Ranks& ranks)
 {
-  CheckOutput(options);
+  ranks.Together([&options, &ranks] { CheckOutputOfRank(options, ranks); });
   if (!options.noPicture)
   {
     CheckDisplay();
   }
   SetThreads(options.threads);
-  Stages stages(options.quiet);
+  Stages stages(options.quiet || !ranks.IsFirst());
   Results results;
-  RunFilters(options, filters, stages, results);
+  if (ranks.AreSeveral())
+  {
+    RunOnRanks(options, filters, ranks, stages, results);
+  }
+  else
+  {
+    RunFilters(options, filters, stages, results);
+  }
 
   vtkSmartPointer<vtkImageData> picture;
   if (!options.noPicture)
@@ -162,10 +224,11 @@ ExitCode Run(const Options& options, Filters& filters)
       { picture = Draw(options, results, filters.example); });
   }
   stages.Run("write", "check the disk and the permissions", nullptr,
-    [&options, &results, &picture] { WriteFiles(options, results, picture); });
+    [&options, &results, &picture, &ranks] { WriteFiles(options, results, picture, ranks); });
   if (!options.quiet)
   {
-    PrintReport(std::cout, results, stages.GetDurations(), FilesToWrite(options));
+    const MeshCounts counts = CountMesh(results.mesh, ranks);
+    PrintReport(std::cout, results, counts, stages.GetDurations(), FilesToWrite(options));
   }
   const vtkIdType failed = results.checks ? CountFailedChecks(results.checks) : 0;
   if (options.strict && failed > 0)
@@ -186,17 +249,47 @@ ExitCode Run(const Options& options, Filters& filters)
 
 } // namespace
 
-int RunProgram(int argc, char** argv)
+namespace
+{
+
+int RunOnThisRank(int argc, char** argv, const Ranks& ranks)
 {
   Filters filters;
   Options options;
+  options.numberOfRanks = ranks.Size();
   if (const std::optional<int> exitCode = ParseCommandLine(argc, argv, options, filters))
   {
     return *exitCode;
   }
   try
   {
-    return Run(options, filters);
+    return Run(options, filters, ranks);
+  }
+  catch (const Failure& failure)
+  {
+    std::cerr << "vtkridges: " << failure.what() << "\n";
+    return ExitJobFailed;
+  }
+  catch (const std::exception&)
+  {
+    if (ranks.AreSeveral())
+    {
+      // Others may wait for this one: that it ends without a word to MPI ends them.
+      std::fprintf(stderr, "vtkridges: rank %d has failed : give a smaller mesh\n", ranks.Rank());
+      std::_Exit(ExitJobFailed);
+    }
+    throw;
+  }
+}
+
+} // namespace
+
+int RunProgram(int argc, char** argv)
+{
+  try
+  {
+    const Ranks ranks(argc, argv);
+    return RunOnThisRank(argc, argv, ranks);
   }
   catch (const Failure& failure)
   {

@@ -5,15 +5,14 @@
 #include "CheckTable.h"
 #include "Picture.h"
 
-#include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkFieldData.h"
-#include "vtkJetFitting.h"
 #include "vtkPointData.h"
 #include "vtkRidgesArrayNames.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <functional>
@@ -53,38 +52,6 @@ vtkIdType CountIf(vtkDataArray* array, const std::function<bool(double)>& condit
   return count;
 }
 
-struct EdgeCounts
-{
-  vtkIdType border = 0;      ///< Of one triangle.
-  vtkIdType nonManifold = 0; ///< Of more than two.
-};
-
-EdgeCounts CountEdges(vtkPolyData* mesh)
-{
-  std::vector<std::pair<vtkIdType, vtkIdType>> edges;
-  edges.reserve(3 * static_cast<std::size_t>(mesh->GetNumberOfPolys()));
-  vtkIdType size = 0;
-  const vtkIdType* corners = nullptr;
-  for (mesh->GetPolys()->InitTraversal(); mesh->GetPolys()->GetNextCell(size, corners);)
-  {
-    for (vtkIdType i = 0; i < size; ++i)
-    {
-      edges.push_back(std::minmax({ corners[i], corners[(i + 1) % size] }));
-    }
-  }
-  std::sort(edges.begin(), edges.end());
-  EdgeCounts counts;
-  for (auto first = edges.begin(); first != edges.end();)
-  {
-    const auto last =
-      std::find_if(first, edges.end(), [&first](const auto& edge) { return edge != *first; });
-    counts.border += last - first == 1 ? 1 : 0;
-    counts.nonManifold += last - first > 2 ? 1 : 0;
-    first = last;
-  }
-  return counts;
-}
-
 double FieldValue(vtkPolyData* data, const char* name)
 {
   vtkDataArray* array = data->GetFieldData()->GetArray(name);
@@ -98,37 +65,32 @@ std::string Halves(double value)
   return twice % 2 == 0 ? std::to_string(twice / 2) : std::to_string(twice) + "/2";
 }
 
-void PrintMesh(std::ostream& os, const Results& results, const EdgeCounts& edges)
+void PrintMesh(std::ostream& os, const Results& results, const MeshCounts& counts)
 {
   PrintRow(os, "mesh",
-    results.name + ": " + Count(results.mesh->GetNumberOfPoints(), "point") + ", " +
-      Count(results.mesh->GetNumberOfPolys(), "triangle") + ", " +
-      (edges.border == 0 && edges.nonManifold == 0 ? std::string("closed") : std::string()) +
-      (edges.border > 0 ? "with a border of " + Count(edges.border, "edge") : std::string()) +
-      (edges.border > 0 && edges.nonManifold > 0 ? ", " : "") +
-      (edges.nonManifold > 0 ? Count(edges.nonManifold, "edge") + " of more than two triangles"
-                             : std::string()));
+    results.name + ": " + Count(counts.points, "point") + ", " +
+      Count(counts.triangles, "triangle") + ", " +
+      (counts.IsClosed() ? std::string("closed") : std::string()) +
+      (counts.borderEdges > 0 ? "with a border of " + Count(counts.borderEdges, "edge")
+                              : std::string()) +
+      (counts.borderEdges > 0 && counts.nonManifoldEdges > 0 ? ", " : "") +
+      (counts.nonManifoldEdges > 0
+          ? Count(counts.nonManifoldEdges, "edge") + " of more than two triangles"
+          : std::string()));
   if (results.joinedPoints > 0)
   {
     const auto joined = static_cast<vtkIdType>(results.joinedPoints);
     PrintRow(os, "joined",
       Count(joined, "point") + " at the same place as others (--no-merge keeps them apart)");
   }
-  vtkDataArray* status = results.mesh->GetPointData()->GetArray(names::FitStatus);
-  const std::pair<int, const char*> bits[] = {
-    { vtkJetFitting::FIT_BOUNDARY, "on the border" },
-    { vtkJetFitting::FIT_TOO_FEW_POINTS, "with too few neighbours" },
-    { vtkJetFitting::FIT_ILL_CONDITIONED, "ill conditioned" },
-    { vtkJetFitting::FIT_INVALID, "without any fit" },
-  };
+  constexpr std::array<const char*, 4> degraded = { "on the border", "with too few neighbours",
+    "ill conditioned", "without any fit" };
   std::string text;
-  for (const auto& [bit, name] : bits)
+  for (std::size_t i = 0; i < degraded.size(); ++i)
   {
-    const vtkIdType count =
-      CountIf(status, [bit = bit](double value) { return (static_cast<int>(value) & bit) != 0; });
-    if (count > 0)
+    if (counts.degraded[i] > 0)
     {
-      text += (text.empty() ? "" : ", ") + std::to_string(count) + " " + name;
+      text += (text.empty() ? "" : ", ") + std::to_string(counts.degraded[i]) + " " + degraded[i];
     }
   }
   if (!text.empty())
@@ -146,16 +108,9 @@ void PrintMesh(std::ostream& os, const Results& results, const EdgeCounts& edges
 }
 
 /// Where a quantity is within its errors of 0: the triangles of the zones, and what that means.
-void PrintZones(std::ostream& os, vtkPolyData* mesh, const char* array, int component,
-  const char* quantity, const char* meaning)
+void PrintZones(
+  std::ostream& os, long long count, long long all, const char* quantity, const char* meaning)
 {
-  const vtkIdType all = mesh->GetNumberOfPolys();
-  vtkDataArray* zones = mesh->GetCellData()->GetArray(array);
-  vtkIdType count = 0;
-  for (vtkIdType i = 0; zones && i < zones->GetNumberOfTuples(); ++i)
-  {
-    count += zones->GetComponent(i, component) >= 0.0 ? 1 : 0;
-  }
   if (count > 0)
   {
     PrintRow(os, "",
@@ -168,7 +123,7 @@ void PrintZones(std::ostream& os, vtkPolyData* mesh, const char* array, int comp
   }
 }
 
-void PrintUmbilics(std::ostream& os, const Results& results, bool isClosed)
+void PrintUmbilics(std::ostream& os, const Results& results, const MeshCounts& counts)
 {
   vtkDataArray* index = results.umbilics->GetPointData()->GetArray(names::Index);
   PrintRow(os, "umbilics",
@@ -185,11 +140,11 @@ void PrintUmbilics(std::ostream& os, const Results& results, bool isClosed)
   else
   {
     text += ", Euler characteristic " + Halves(characteristic);
-    text += isClosed ? ": they differ, some umbilics are missed or false"
-                     : ": they may differ, as the mesh has a border";
+    text += counts.IsClosed() ? ": they differ, some umbilics are missed or false"
+                              : ": they may differ, as the mesh has a border";
   }
   PrintRow(os, "", text);
-  PrintZones(os, results.mesh, names::UmbilicZone, 0, "k1 - k2", "umbilics there mean nothing");
+  PrintZones(os, counts.umbilicZone, counts.triangles, "k1 - k2", "umbilics there mean nothing");
 }
 
 struct LineTotals
@@ -214,7 +169,7 @@ LineTotals TotalsOf(vtkPolyData* lines, const std::function<bool(vtkIdType)>& is
   return totals;
 }
 
-void PrintRidges(std::ostream& os, const Results& results)
+void PrintRidges(std::ostream& os, const Results& results, const MeshCounts& counts)
 {
   vtkCellData* data = results.ridges->GetCellData();
   vtkDataArray* type = data->GetArray(names::RidgeType);
@@ -242,11 +197,8 @@ void PrintRidges(std::ostream& os, const Results& results)
   {
     os << "  " << Count(left, "more line") << " the filter left out\n";
   }
-  for (const int component : { 0, 1 })
-  {
-    PrintZones(os, results.mesh, names::RidgeZone, component, component == 0 ? "b0" : "b3",
-      component == 0 ? "maximum ridges there were left out" : "minimum ridges there were left out");
-  }
+  PrintZones(os, counts.ridgeZone[0], counts.triangles, "b0", "maximum ridges there were left out");
+  PrintZones(os, counts.ridgeZone[1], counts.triangles, "b3", "minimum ridges there were left out");
 }
 
 void PrintSalient(std::ostream& os, vtkPolyData* lines)
@@ -276,19 +228,18 @@ void PrintSalient(std::ostream& os, vtkPolyData* lines)
 
 } // namespace
 
-void PrintReport(std::ostream& os, const Results& results,
+void PrintReport(std::ostream& os, const Results& results, const MeshCounts& counts,
   const std::vector<Stages::Duration>& durations, const std::vector<std::string>& filesWritten)
 {
-  const EdgeCounts edges = CountEdges(results.mesh);
-  PrintMesh(os, results, edges);
-  PrintUmbilics(os, results, edges.border == 0 && edges.nonManifold == 0);
+  PrintMesh(os, results, counts);
+  PrintUmbilics(os, results, counts);
   if (results.areSalient)
   {
     PrintSalient(os, results.ridges);
   }
   else
   {
-    PrintRidges(os, results);
+    PrintRidges(os, results, counts);
   }
   if (results.certificate)
   {

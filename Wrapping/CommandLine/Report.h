@@ -4,6 +4,7 @@
 #define Report_h
 
 #include "Console.h"
+#include "MeshCounts.h"
 
 #include "vtkPolyData.h"
 #include "vtkTable.h"
@@ -33,7 +34,7 @@ struct Results
 };
 
 /// Prints the table at the end of the job.
-void PrintReport(std::ostream& os, const Results& results,
+void PrintReport(std::ostream& os, const Results& results, const MeshCounts& counts,
   const std::vector<Stages::Duration>& durations, const std::vector<std::string>& filesWritten);
 
 } // namespace program

@@ -7,6 +7,7 @@
 #include "Reading/LegacyVtkReader.h"
 #include "Reading/ObjReader.h"
 #include "Reading/OffReader.h"
+#include "Reading/PiecesReader.h"
 #include "Reading/PlyReader.h"
 #include "Reading/StlReader.h"
 #include "Reading/XmlVtkReader.h"
@@ -64,12 +65,14 @@ MeshFile ParseByExtension(const std::string& bytes, const std::string& fileName)
 
 const char* ReadableExtensions()
 {
-  return ".off, .ply, .obj, .stl, .vtp, .vtk";
+  return ".off, .ply, .obj, .stl, .vtp, .pvtp, .vtk";
 }
 
-MeshFile ParseMesh(const std::string& bytes, const std::string& fileName)
+namespace
 {
-  MeshFile file = ParseByExtension(bytes, fileName);
+
+MeshFile WithTriangles(MeshFile file, const std::string& fileName)
+{
   if (file.mesh.NumberOfFaces() == 0)
   {
     throw Failure(fileName + (file.mesh.points.empty() ? " has no points" : " has no triangles"),
@@ -78,9 +81,23 @@ MeshFile ParseMesh(const std::string& bytes, const std::string& fileName)
   return file;
 }
 
+} // namespace
+
+MeshFile ParseMesh(const std::string& bytes, const std::string& fileName)
+{
+  return WithTriangles(ParseByExtension(bytes, fileName), fileName);
+}
+
 MeshFile ReadMesh(const std::string& fileName)
 {
-  return ParseMesh(ReadBytes(fileName), fileName);
+  return IsOfPieces(fileName) ? WithTriangles(ReadPiecesOfRank(fileName, 0, 1), fileName)
+                              : ParseMesh(ReadBytes(fileName), fileName);
+}
+
+MeshFile ReadPiecesOfRank(const std::string& fileName, int rank, int ranks)
+{
+  const vtkSmartPointer<vtkPolyData> data = ReadPieces(fileName, rank, ranks);
+  return { ToPolygonMesh(data, fileName), data };
 }
 
 } // namespace program

@@ -28,8 +28,12 @@ const char* ReadableExtensions();
  */
 MeshFile ReadMesh(const std::string& fileName);
 
-/// The same from the bytes of a file, whose name gives the format.
+/// The same from the bytes of a file, whose name gives the format; not of a .pvtp, which only names
+/// others.
 MeshFile ParseMesh(const std::string& bytes, const std::string& fileName);
+
+/// What a rank has of the pieces of a .pvtp; maybe nothing.
+MeshFile ReadPiecesOfRank(const std::string& fileName, int rank, int ranks);
 
 } // namespace program
 

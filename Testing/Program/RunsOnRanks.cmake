@@ -1,0 +1,92 @@
+# SPDX-FileCopyrightText: Copyright (c) vtkRidges contributors
+# SPDX-License-Identifier: BSD-3-Clause
+# What the program does under mpirun; all ranks and the files that they write together.
+include("${CMAKE_CURRENT_LIST_DIR}/RunProgram.cmake")
+
+run(0 --surface ellipsoid --frequency 20 --no-picture --write-mesh --output one)
+set(report "4002 points, 8000 triangles, closed" "umbilics \\+1/2: 4, -1/2: 0")
+expect("${output}" ${report})
+
+# A file is read by the first rank. There is no picture.
+set(LAUNCHER ${MPIRUN} 2)
+run(0 one-mesh.vtp --output two)
+expect("${output}" ${report} "all ridges, as always on several ranks .2 here")
+expect_files(one-mesh.vtp one-ridges.vtp one-umbilics.vtp two-ridges.vtp two-umbilics.vtp)
+
+# write_piece(<name> <first row> <last row>): rows of a grid with 16 points each, over which a surface
+# with ridges is the graph of a polynomial.
+function (write_piece name first last)
+  set(rows 0)
+  foreach (i RANGE ${first} ${last})
+    foreach (j RANGE 15)
+      math(EXPR x "${i} - 8")
+      math(EXPR y "${j} - 8")
+      math(EXPR height "40 * ${x} * ${x} - 25 * ${y} * ${y} + 2 * ${x} * ${x} * ${x} + ${x} * ${y} * ${y}")
+      string(APPEND points "${x} ${y} ${height}e-3\n")
+      math(EXPR a "${rows} * 16 + ${j}")
+      math(EXPR b "${a} + 16")
+      if (i LESS last AND j LESS 15)
+        math(EXPR c "${b} + 1")
+        math(EXPR d "${a} + 1")
+        string(APPEND corners "${a} ${b} ${c} ${a} ${c} ${d}\n")
+      endif ()
+    endforeach ()
+    math(EXPR rows "${rows} + 1")
+  endforeach ()
+  math(EXPR number_of_points "${rows} * 16")
+  math(EXPR triangles "(${rows} - 1) * 30")
+  foreach (i RANGE 1 ${triangles})
+    math(EXPR end "3 * ${i}")
+    string(APPEND offsets "${end} ")
+  endforeach ()
+  file(WRITE "${DIRECTORY}/${name}" "<VTKFile type=\"PolyData\" version=\"0.1\"><PolyData>
+<Piece NumberOfPoints=\"${number_of_points}\" NumberOfPolys=\"${triangles}\">
+<Points><DataArray type=\"Float64\" NumberOfComponents=\"3\" format=\"ascii\">
+${points}</DataArray></Points>
+<Polys><DataArray type=\"Int64\" Name=\"connectivity\" format=\"ascii\">
+${corners}</DataArray><DataArray type=\"Int64\" Name=\"offsets\" format=\"ascii\">
+${offsets}</DataArray></Polys></Piece></PolyData></VTKFile>\n")
+endfunction ()
+
+# The ranks share the pieces, whose seams are no borders, and each writes its own.
+write_piece(a.vtp 0 5)
+write_piece(b.vtp 5 8)
+write_piece(c.vtp 8 15)
+file(WRITE "${DIRECTORY}/pieces.pvtp" "<VTKFile type=\"PPolyData\"><PPolyData>
+<Piece Source=\"a.vtp\"/><Piece Source=\"b.vtp\"/><Piece Source=\"c.vtp\"/></PPolyData></VTKFile>\n")
+set(report "256 points, 450 triangles, with a border of 60 edges" "points [0-9]+ on the border")
+run(0 pieces.pvtp --output two --write-mesh)
+expect("${output}" ${report} "written +two-ridges.vtp\n +two-umbilics.vtp\n +two-mesh.pvtp\n$")
+set(LAUNCHER ${MPIRUN} 4)
+run(0 two-mesh.pvtp --output four)
+expect("${output}" ${report})
+set(LAUNCHER)
+run(0 pieces.pvtp --output alone --complete --no-picture)
+expect("${output}" ${report})
+foreach (other IN ITEMS two four)
+  foreach (kind IN ITEMS ridges umbilics)
+    file(SHA256 "${DIRECTORY}/alone-${kind}.vtp" expected)
+    file(SHA256 "${DIRECTORY}/${other}-${kind}.vtp" found)
+    if (NOT found STREQUAL expected)
+      message(SEND_ERROR "${other}-${kind}.vtp is not what one rank writes")
+    endif ()
+  endforeach ()
+endforeach ()
+
+# What does not work is said once, and no rank waits for another: mpirun adds lines of its own.
+set(LAUNCHER ${MPIRUN} 2)
+foreach (option IN ITEMS --salient --image=x.vti)
+  run(2 pieces.pvtp ${option})
+  expect("${errors}" "vtkridges: --[a-z-]+ does not work on several ranks .mpirun. : see")
+  string(REGEX MATCHALL "vtkridges: " told "${errors}")
+  list(LENGTH told count)
+  if (NOT count EQUAL 1)
+    message(SEND_ERROR "it is told ${count} times:\n${errors}")
+  endif ()
+endforeach ()
+file(REMOVE "${DIRECTORY}/b.vtp")
+run(1 pieces.pvtp)
+expect("${errors}" "vtkridges: b.vtp does not exist : ")
+file(WRITE "${DIRECTORY}/b.vtp" "junk\n")
+run(1 pieces.pvtp)
+expect("${errors}" "vtkridges: [^\n]*b.vtp[^\n]* : ")
