@@ -3,11 +3,13 @@
 #include "vtkPRidgesAndUmbilics.h"
 
 #include "vtkRidgesControllerRanks.h"
+#include "vtkRidgesLineShares.h"
 #include "vtkRidgesRanksPipeline.h"
 
 #include "vtkInformation.h"
 #include "vtkMultiProcessController.h"
 #include "vtkObjectFactory.h"
+#include "vtkPolyData.h"
 
 vtkStandardNewMacro(vtkPRidgesAndUmbilics);
 
@@ -46,8 +48,27 @@ ridges::Ranks* vtkPRidgesAndUmbilics::GetRanks()
   return this->Ranks;
 }
 
+int vtkPRidgesAndUmbilics::RequestData(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  const int isDone = this->Superclass::RequestData(request, inputVector, outputVector);
+  if (isDone != 0 && this->Ranks->Size() > 1)
+  {
+    // All or none: ranks wait for each other.
+    int anywhere = 0;
+    const int here = this->DistributeLines ? 1 : 0;
+    this->Controller->AllReduce(&here, &anywhere, 1, vtkCommunicator::MAX_OP);
+    if (anywhere != 0)
+    {
+      vtkRidgesShareLines(this->Controller, vtkPolyData::GetData(outputVector, RIDGES));
+    }
+  }
+  return isDone;
+}
+
 void vtkPRidgesAndUmbilics::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Controller: " << this->Controller << "\n";
+  os << indent << "DistributeLines: " << (this->DistributeLines ? "On" : "Off") << "\n";
 }

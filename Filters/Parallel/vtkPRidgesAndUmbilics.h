@@ -6,10 +6,11 @@
  *
  * Input: on each rank a piece of one triangle mesh, as for vtkPJetFitting.
  *
- * Output: on rank 0 all ridges (port 0) and umbilics (port 1), on each rank its piece (port 2) with
- * the arrays that vtkRidgesAndUmbilics gives the mesh. Ids of points and triangles in ports 0 and
- * 1, and in field data, are those of the whole mesh: pieces have them as the point array
- * GatheredPointId and the cell array GatheredCellId, which is -1 where a cell is no triangle.
+ * Output: on rank 0 all ridges (port 0; but see DistributeLines) and umbilics (port 1), on each
+ * rank its piece (port 2) with the arrays that vtkRidgesAndUmbilics gives the mesh. Ids of points
+ * and triangles in ports 0 and 1, and in field data, are those of the whole mesh: pieces have them
+ * as the point array GatheredPointId and the cell array GatheredCellId, which is -1 where a cell is
+ * no triangle.
  *
  * Guarantee: the same points, types, umbilics and arrays, byte for byte, as those of
  * vtkRidgesAndUmbilics for the whole mesh on one rank, but for ids, for any number of ranks and any
@@ -49,12 +50,24 @@ public:
   vtkGetObjectMacro(Controller, vtkMultiProcessController);
   ///@}
 
+  ///@{
+  /**
+   * Whether each rank has a share of the ridges, about as many points on each, all lines of a ridge
+   * (RidgeId) on one. Rank after rank they are in the order that they have else, when rank 0 has
+   * all. Umbilics are on rank 0. Default: off.
+   */
+  vtkSetMacro(DistributeLines, bool);
+  vtkGetMacro(DistributeLines, bool);
+  vtkBooleanMacro(DistributeLines, bool);
+  ///@}
+
 protected:
   vtkPRidgesAndUmbilics();
   ~vtkPRidgesAndUmbilics() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
   vtkExecutive* CreateDefaultExecutive() override;
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   ridges::Ranks* GetRanks() override;
 
 private:
@@ -62,6 +75,7 @@ private:
   void operator=(const vtkPRidgesAndUmbilics&) = delete;
 
   vtkMultiProcessController* Controller = nullptr;
+  bool DistributeLines = false;
   ridges::Ranks* const Ranks;
 };
 VTK_ABI_NAMESPACE_END

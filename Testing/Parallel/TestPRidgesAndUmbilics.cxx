@@ -8,8 +8,11 @@
 #include "ParallelTestTools.h"
 
 #include "vtkCellArray.h"
+#include "vtkCellArrayIterator.h"
 #include "vtkCellData.h"
+#include "vtkCommunicator.h"
 #include "vtkDataArray.h"
+#include "vtkDoubleArray.h"
 #include "vtkIdTypeArray.h"
 #include "vtkMultiProcessController.h"
 #include "vtkNew.h"
@@ -260,4 +263,57 @@ TEST(PRidgesAndUmbilics, RunsAgainWhereOneRankHasToFitAnew)
   }
   parallel->Update();
   EXPECT_EQ(countOf(), all);
+}
+
+TEST(PRidgesAndUmbilics, DistributesWholeRidges)
+{
+  const NamedMesh named = SmallMeshes()[2]; // the blend, with 36 lines
+  const RankPiece own = PieceOfRank(named.mesh, Partition::Blocks);
+  vtkNew<vtkPRidgesAndUmbilics> parallel;
+  parallel->SetInputData(own.data);
+  parallel->Update();
+  vtkNew<vtkPolyData> all;
+  all->DeepCopy(parallel->GetOutput());
+  parallel->DistributeLinesOn();
+  parallel->Update();
+
+  // One rank after the other: the same lines, of the same points and values.
+  const auto linesOf = [](vtkPolyData* data)
+  {
+    vtkNew<vtkDoubleArray> lines;
+    lines->SetNumberOfComponents(4);
+    const auto cell = vtk::TakeSmartPointer(data->GetLines()->NewIterator());
+    for (cell->GoToFirstCell(); !cell->IsDoneWithTraversal(); cell->GoToNextCell())
+    {
+      vtkIdType size = 0;
+      const vtkIdType* ids = nullptr;
+      cell->GetCurrentCell(size, ids);
+      const vtkIdType i = cell->GetCurrentCellId();
+      double sum = 0.0;
+      for (vtkIdType k = 0; k < size; ++k)
+      {
+        sum += data->GetPoint(ids[k])[0] + Value(data->GetPointData(), names::Curvature, ids[k]);
+      }
+      const double values[] = { Value(data->GetCellData(), names::RidgeId, i),
+        Value(data->GetCellData(), names::Length, i), sum, static_cast<double>(size) };
+      lines->InsertNextTuple(values);
+    }
+    return lines;
+  };
+  const auto shares = linesOf(parallel->GetOutput());
+  vtkNew<vtkDoubleArray> gathered;
+  Controller()->GatherV(shares, gathered, 0);
+  const int here = static_cast<int>(shares->GetNumberOfTuples());
+  int least = 0;
+  Controller()->AllReduce(&here, &least, 1, vtkCommunicator::MIN_OP);
+  EXPECT_GT(least, 0);
+  if (Controller()->GetLocalProcessId() == 0)
+  {
+    const auto expected = linesOf(all);
+    ASSERT_EQ(gathered->GetNumberOfTuples(), expected->GetNumberOfTuples());
+    for (vtkIdType i = 0; i < expected->GetNumberOfValues(); ++i)
+    {
+      ASSERT_EQ(gathered->GetValue(i), expected->GetValue(i)) << i;
+    }
+  }
 }

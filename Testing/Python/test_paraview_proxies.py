@@ -29,6 +29,9 @@ OF_RANKS = {
     "vtkPRidgesAndUmbilics": "vtkRidgesAndUmbilics",
 }
 
+# Properties that only those have.
+ONLY_ON_RANKS = {"SetDistributeLines"}
+
 
 def elements():
     """The proxies of all files."""
@@ -49,7 +52,11 @@ def array_choices():
 
 
 def properties(proxy):
-    return [element for element in proxy if element.tag.endswith("VectorProperty")]
+    return [
+        element
+        for element in proxy
+        if element.tag.endswith("VectorProperty") and element.get("command") not in ONLY_ON_RANKS
+    ]
 
 
 def values(element):

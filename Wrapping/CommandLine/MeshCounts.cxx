@@ -107,8 +107,7 @@ long long CountInZone(vtkPolyData* mesh, const char* name, int component)
 
 /// Pieces share the points of their seams: each counts for the first rank that has it. Ids in the
 /// whole mesh follow the ranks.
-void CountPoints(
-  vtkPolyData* mesh, vtkDataArray* wholeIds, const Ranks& ranks, MeshCounts& counts)
+void CountPoints(vtkPolyData* mesh, vtkDataArray* wholeIds, const Ranks& ranks, MeshCounts& counts)
 {
   long long own = 0;
   for (vtkIdType p = 0; wholeIds && p < wholeIds->GetNumberOfTuples(); ++p)

@@ -30,8 +30,8 @@ struct MeshCounts
   bool IsClosed() const { return this->borderEdges + this->nonManifoldEdges == 0; }
 };
 
-/// Of a mesh, or of one that lies on several ranks in pieces, on the first of them. All have to call
-/// this.
+/// Of a mesh, or of one that lies on several ranks in pieces, on the first of them. All have to
+/// call this.
 MeshCounts CountMesh(vtkPolyData* mesh, const Ranks& ranks);
 
 } // namespace program

@@ -75,8 +75,8 @@ void SetProperties(Filters& filters, vtkRidgesAndUmbilics* all)
 
 /// This rank's pieces of a .pvtp, joined where they touch; of any other mesh all is on the first
 /// rank.
-vtkSmartPointer<vtkPolyData> MakePiece(const Options& options, Filters& filters,
-  const Ranks& ranks, Stages& stages, Results& results)
+vtkSmartPointer<vtkPolyData> MakePiece(
+  const Options& options, Filters& filters, const Ranks& ranks, Stages& stages, Results& results)
 {
   if (!IsOfPieces(options.mesh))
   {
@@ -106,8 +106,8 @@ void CheckSize(const std::string& name, vtkPolyData* piece, const Ranks& ranks)
 
 } // namespace
 
-void RunOnRanks(const Options& options, Filters& filters, const Ranks& ranks, Stages& stages,
-  Results& results)
+void RunOnRanks(
+  const Options& options, Filters& filters, const Ranks& ranks, Stages& stages, Results& results)
 {
   vtkSmartPointer<vtkPolyData> piece;
   ranks.Together([&piece, &options, &filters, &ranks, &stages, &results]
@@ -127,8 +127,8 @@ void RunOnRanks(const Options& options, Filters& filters, const Ranks& ranks, St
   results.umbilics = all->GetOutput(vtkRidgesAndUmbilics::UMBILICS);
   results.ridges = all->GetOutput(vtkRidgesAndUmbilics::RIDGES);
   results.allRidges = results.ridges;
-  results.lineChoice = "all ridges, as always on several ranks (" + std::to_string(ranks.Size()) +
-    " here)";
+  results.lineChoice =
+    "all ridges, as always on several ranks (" + std::to_string(ranks.Size()) + " here)";
   auto* fit = vtkStringArray::SafeDownCast(
     results.mesh->GetFieldData()->GetAbstractArray(vtkRidgesArrayNames::SelectedFit));
   results.selectedFit = fit ? fit->GetValue(0) : std::string();

@@ -14,8 +14,8 @@ namespace program
 /// What RunFilters does where there are several ranks, all of which have to call this. Of the
 /// results, the mesh is a rank's piece; lines and umbilics are those of the first rank. Throws
 /// Failure, the same on all.
-void RunOnRanks(const Options& options, Filters& filters, const Ranks& ranks, Stages& stages,
-  Results& results);
+void RunOnRanks(
+  const Options& options, Filters& filters, const Ranks& ranks, Stages& stages, Results& results);
 
 /// The name of the file for a rank's piece of a mesh in a .pvtp of this name.
 std::string NameOfPiece(const std::string& fileName, int rank);
