@@ -90,7 +90,8 @@ int vtkJetFitting::RequestData(
   ridges::Ranks* ranks = this->GetRanks();
   if (ridges::AreSeveral(ranks))
   {
-    return vtkRidgesSharedFit(this, *ranks, inputVector[0], vtkPolyData::GetData(outputVector));
+    return vtkRidgesSharedFit(
+      this, *ranks, inputVector[0], vtkPolyData::GetData(outputVector), this->GetSurface());
   }
   vtkPolyData* input = vtkRidgesGetPolyData(this, inputVector[0]);
   if (!input)

@@ -181,6 +181,9 @@ protected:
   /// Who has the other pieces of the mesh; null: the input is all there is.
   virtual ridges::Ranks* GetRanks() { return nullptr; }
 
+  /// Where to keep what they know of the whole mesh after the fit; null: nowhere.
+  virtual ridges::SharedSurface* GetSurface() { return nullptr; }
+
   int Degree = 0;
   int MongeOrder = 4;
   int Neighborhood = AUTOMATIC;

@@ -65,6 +65,11 @@ std::vector<Eigen::Vector3d> UmbilicPositions(const vtkRidgesUmbilicMarks& umbil
   return positions;
 }
 
+double EnclosingRadius(const ridges::TriangleMesh& mesh)
+{
+  return mesh.Part() ? mesh.Part()->enclosingRadius : ridges::SmallestEnclosingSphere(mesh).radius;
+}
+
 /// Red ridges are numbered on from the blue ones.
 void StorePurplePoints(const vtkRidgesMesh& mesh, const std::vector<ridges::PurplePoint>& found,
   vtkIdType numberOfBlueRidges, vtkPolyData* output)
@@ -136,13 +141,13 @@ int vtkRidgeExtraction::RequestData(
   {
     return 0;
   }
+  monge.mesh.SetPart(this->GetPart());
   const vtkRidgesMesh& mesh = monge.mesh;
   const ridges::TriangleMesh& triangles = mesh.GetTriangles();
   const ridges::MongeField& field = monge.arrays.GetField();
   this->UpdateProgress(0.1);
 
-  const double modelSize =
-    this->ModelSize > 0.0 ? this->ModelSize : ridges::SmallestEnclosingSphere(triangles).radius;
+  const double modelSize = this->ModelSize > 0.0 ? this->ModelSize : EnclosingRadius(triangles);
   const vtkRidgesUmbilicMarks umbilics(mesh);
   const ridges::UmbilicCutOff cutOff(
     UmbilicPositions(umbilics, triangles, field), this->UmbilicCutOff * modelSize);

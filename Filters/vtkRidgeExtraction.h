@@ -40,6 +40,7 @@
 #include "vtkFiltersRidgesModule.h" // For export macro
 #include "vtkPolyDataAlgorithm.h"
 #include "vtkRidgesCompatibility.h" // For the ABI namespace
+#include "vtkRidgesRanks.h"
 
 VTK_ABI_NAMESPACE_BEGIN
 class VTKFILTERSRIDGES_EXPORT vtkRidgeExtraction : public vtkPolyDataAlgorithm
@@ -173,6 +174,9 @@ protected:
   ~vtkRidgeExtraction() override = default;
   int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+  /// What is known of the larger mesh that the input is a part of; null: it is all there is.
+  virtual const ridges::MeshPart* GetPart() { return nullptr; }
   bool ExtractMaximum = true;
   bool ExtractMinimum = true;
   bool CrestOnly = false;

@@ -4,6 +4,7 @@
 
 #include "Core/Base/RankMessages.h"
 #include "vtkRidgeSharpnessFilter.h"
+#include "vtkRidgesArrayNames.h"
 #include "vtkRidgesCompatibility.h"
 #include "vtkRidgesGathering.h"
 #include "vtkRidgesGhosts.h"
@@ -15,6 +16,7 @@
 #include "vtkInformation.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkPointData.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
 
@@ -54,6 +56,19 @@ class vtkRidgesAndUmbilics::vtkInternals
 
   protected:
     ridges::Ranks* GetRanks() override { return this->filter->GetRanks(); }
+    ridges::SharedSurface* GetSurface() override { return &this->filter->Internals->surface; }
+  };
+
+  /// On the part of the mesh that was gathered, if ranks share it.
+  template <typename Stage>
+  class OnPart : public Stage
+  {
+  public:
+    static OnPart* New() { VTK_STANDARD_NEW_BODY(OnPart); }
+    const vtkRidgesGathering* gathering = nullptr;
+
+  protected:
+    const ridges::MeshPart* GetPart() override { return this->gathering->GetPart(); }
   };
 
 public:
@@ -69,24 +84,35 @@ public:
   /// Runs a stage. False where the filter has to stop: because of an error, or of the user.
   bool Run(vtkPolyDataAlgorithm* stage);
 
-  /// Fits on all ranks if any of them has to, and gathers the mesh. The same result on all.
+  /// Fits on all ranks if any of them has to. The same result on all.
   bool FitOnRanks(ridges::Ranks& ranks);
 
+  /// Finds umbilics and ridges on the first rank, from as much of the mesh as that takes. The same
+  /// result on all.
+  bool FindOnFirst(ridges::Ranks& ranks);
+
   vtkSmartPointer<vtkJetFitting> jets;
-  vtkNew<vtkUmbilicDetection> umbilics;
-  vtkNew<vtkRidgeExtraction> ridges;
+  vtkSmartPointer<vtkUmbilicDetection> umbilics;
+  vtkSmartPointer<vtkRidgeExtraction> ridges;
   vtkNew<vtkRidgeSharpnessFilter> selection;
   std::string errorText; ///< Of the stages, in this update.
   vtkRidgesGathering gathering;
+  ridges::SharedSurface surface; ///< From the fit to the gathering.
 
 private:
+  bool RunOnFirst(ridges::Ranks& ranks);
+  vtkRidgesGathering::Extent LeastExtent(ridges::Ranks& ranks);
+
   void ForwardProgress(vtkObject* stage, unsigned long, void*);
   void ForwardMessage(vtkObject* caller, unsigned long event, void* text);
 
   vtkRidgesAndUmbilics* Filter;
   const vtkPolyData* LastInput = nullptr; ///< To compare with only.
   vtkMTimeType LastInputTime = 0;
-  vtkMTimeType LastFitTime = 0; ///< On ranks.
+  vtkMTimeType LastFitTime = 0;             ///< On ranks.
+  vtkRidgesGathering::Extent LeastGathered; ///< What was asked for,
+  vtkRidgesGathering::Extent Gathered;      ///< and what it took.
+  bool HasGathered = false;
 };
 
 vtkStandardNewMacro(vtkRidgesAndUmbilics::vtkInternals::Jets);
@@ -97,6 +123,12 @@ vtkRidgesAndUmbilics::vtkInternals::vtkInternals(vtkRidgesAndUmbilics* filter)
   vtkNew<Jets> jetsOfFilter;
   jetsOfFilter->filter = filter;
   this->jets = jetsOfFilter;
+  vtkNew<OnPart<vtkUmbilicDetection>> umbilicsOfPart;
+  umbilicsOfPart->gathering = &this->gathering;
+  this->umbilics = umbilicsOfPart;
+  vtkNew<OnPart<vtkRidgeExtraction>> ridgesOfPart;
+  ridgesOfPart->gathering = &this->gathering;
+  this->ridges = ridgesOfPart;
   this->ridges->SetInputConnection(this->umbilics->GetOutputPort());
   this->selection->SetInputConnection(this->ridges->GetOutputPort());
 
@@ -155,8 +187,64 @@ bool vtkRidgesAndUmbilics::vtkInternals::FitOnRanks(ridges::Ranks& ranks)
     return false;
   }
   this->LastFitTime = this->jets->GetMTime();
-  this->umbilics->SetInputData(this->gathering.Gather(ranks, this->jets->GetOutput()));
+  this->gathering.Take(ranks, this->jets->GetOutput(), this->surface);
+  this->HasGathered = false;
   return true;
+}
+
+/// What the properties ask for, which are those of the first rank.
+vtkRidgesGathering::Extent vtkRidgesAndUmbilics::vtkInternals::LeastExtent(ridges::Ranks& ranks)
+{
+  vtkRidgesGathering::Extent extent;
+  extent.significance = this->umbilics->GetSignificance();
+  extent.isAll = !this->gathering.MayBePart() ||
+    this->umbilics->GetMethod() != vtkUmbilicDetection::INDICES ||
+    this->ridges->GetTypeHysteresis() > 0.0 || this->ridges->GetComputeFoldAngle();
+  return ridges::GatherAllOne(ranks, extent).front();
+}
+
+bool vtkRidgesAndUmbilics::vtkInternals::FindOnFirst(ridges::Ranks& ranks)
+{
+  using Wants = ridges::MeshPart::Wants;
+  const vtkRidgesGathering::Extent least = this->LeastExtent(ranks);
+  bool hasEnough = this->HasGathered && least == this->LeastGathered;
+  if (!hasEnough)
+  {
+    this->LeastGathered = least;
+    this->Gathered = least;
+  }
+  for (;;)
+  {
+    if (!hasEnough)
+    {
+      this->umbilics->SetInputData(this->gathering.Gather(ranks, this->umbilics, this->Gathered));
+      this->HasGathered = true;
+    }
+    if (!this->RunOnFirst(ranks))
+    {
+      return false;
+    }
+    const ridges::MeshPart* part = this->gathering.GetPart();
+    const Wants wants = ridges::GatherAllOne(ranks, part ? part->Wanted() : Wants::Nothing).front();
+    if (wants == Wants::Nothing)
+    {
+      return true;
+    }
+    this->Gathered.Enlarge();
+    this->Gathered.isAll = this->Gathered.isAll || wants == Wants::All;
+    hasEnough = false;
+  }
+}
+
+/// All stages behind the fit. The same result on all.
+bool vtkRidgesAndUmbilics::vtkInternals::RunOnFirst(ridges::Ranks& ranks)
+{
+  bool isDone = true;
+  for (vtkPolyDataAlgorithm* stage : this->GetStages())
+  {
+    isDone = isDone && (ranks.Rank() > 0 || stage == this->jets || this->Run(stage));
+  }
+  return !ridges::IsAnywhere(ranks, !isDone);
 }
 
 void vtkRidgesAndUmbilics::vtkInternals::ForwardProgress(vtkObject* stage, unsigned long, void*)
@@ -318,16 +406,8 @@ int vtkRidgesAndUmbilics::RequestSharedData(
   vtkInternals& internals = *this->Internals;
   internals.TakeIn(input);
   internals.errorText.clear();
-  bool isDone = internals.FitOnRanks(ranks);
+  const bool isDone = internals.FitOnRanks(ranks) && internals.FindOnFirst(ranks);
   const bool isFirst = ranks.Rank() == 0;
-  if (isDone)
-  {
-    for (vtkPolyDataAlgorithm* stage : internals.GetStages())
-    {
-      isDone = isDone && (!isFirst || stage == internals.jets || internals.Run(stage));
-    }
-    isDone = !ridges::IsAnywhere(ranks, !isDone);
-  }
   if (!isDone)
   {
     // That of the first rank is the error of all. There is none if the user aborted.
@@ -340,8 +420,13 @@ int vtkRidgesAndUmbilics::RequestSharedData(
   }
   if (isFirst)
   {
-    vtkPolyData::GetData(outputVector, RIDGES)->ShallowCopy(internals.selection->GetOutput());
-    vtkPolyData::GetData(outputVector, UMBILICS)->ShallowCopy(internals.umbilics->GetOutput(1));
+    vtkPolyData* lines = vtkPolyData::GetData(outputVector, RIDGES);
+    lines->ShallowCopy(internals.selection->GetOutput());
+    internals.gathering.NumberPoints(lines->GetPointData(), vtkRidgesArrayNames::EdgePoint0);
+    internals.gathering.NumberPoints(lines->GetPointData(), vtkRidgesArrayNames::EdgePoint1);
+    vtkPolyData* vertices = vtkPolyData::GetData(outputVector, UMBILICS);
+    vertices->ShallowCopy(internals.umbilics->GetOutput(1));
+    internals.gathering.NumberTriangles(vertices->GetPointData(), vtkRidgesArrayNames::Triangle);
   }
   internals.gathering.GiveBack(ranks, isFirst ? internals.ridges->GetOutput(2) : nullptr,
     vtkPolyData::GetData(outputVector, MESH));

@@ -2,15 +2,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file vtkRidgesRanks.h
- * What filters call the processes that have the other pieces of a mesh: private to the modules of
- * vtkRidges, whose parallel filters hand them to those that they derive from.
+ * What filters call the processes that have the other pieces of a mesh, and what they find out
+ * together: private to the modules of vtkRidges, whose filters hand them to those that they derive
+ * from.
  */
 #ifndef vtkRidgesRanks_h
 #define vtkRidgesRanks_h
 
 namespace ridges
 {
+class MeshPart;
 class Ranks;
+struct SharedSurface;
 }
 
 #endif

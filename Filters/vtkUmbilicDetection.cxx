@@ -31,6 +31,10 @@ namespace
 
 bool IsClosed(const ridges::TriangleMesh& mesh)
 {
+  if (mesh.Part())
+  {
+    return mesh.Part()->isClosed;
+  }
   for (ridges::Id e = 0; e < mesh.NumberOfEdges(); ++e)
   {
     if (mesh.EdgeAt(e).t1 < 0)
@@ -54,6 +58,11 @@ bool FindByIndices(
   if (search.HalfTurns() == 2 * found.eulerCharacteristic || !IsClosed(mesh))
   {
     return search.Gather(filter, filter->GetPatchSize(), 0.5, 1.0, found);
+  }
+  if (mesh.Part())
+  {
+    mesh.Part()->Want(ridges::MeshPart::Wants::All);
+    return true;
   }
   // The theorem is about oriented surfaces, and the test that spares most triangles is a rule of
   // thumb.
@@ -148,6 +157,7 @@ int vtkUmbilicDetection::RequestData(
   {
     return 0;
   }
+  monge.mesh.SetPart(this->GetPart());
   vtkRidgesUmbilicOutput found;
   found.eulerCharacteristic = monge.mesh.GetEulerCharacteristic();
   if (!(byIndices ? FindByIndices(this, monge, found) : FindMinima(this, monge, found)))

@@ -82,6 +82,7 @@
 #include "vtkFiltersRidgesModule.h" // For export macro
 #include "vtkPolyDataAlgorithm.h"
 #include "vtkRidgesCompatibility.h" // For the ABI namespace
+#include "vtkRidgesRanks.h"
 
 VTK_ABI_NAMESPACE_BEGIN
 class VTKFILTERSRIDGES_EXPORT vtkUmbilicDetection : public vtkPolyDataAlgorithm
@@ -138,6 +139,9 @@ protected:
 
   int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
+
+  /// What is known of the larger mesh that the input is a part of; null: it is all there is.
+  virtual const ridges::MeshPart* GetPart() { return nullptr; }
 
   int Method = INDICES;
   double Significance = 3.0;

@@ -17,8 +17,9 @@
  * partition.
  *
  * Jets, which take most of the time, are fitted on all ranks (vtkPJetFitting). Then rank 0 gets the
- * whole mesh with the forms, and finds umbilics and ridges alone: it needs about as much memory as
- * it would without the others.
+ * triangles in which something may be, with rings around them, and finds umbilics and ridges alone:
+ * on clean meshes a small part. On noisy meshes, and where regions without significant ridges are
+ * looked for, it gets the whole mesh, and needs as much memory as it would without the others.
  *
  * Errors are the same on all ranks; warnings come from rank 0. With one rank it is
  * vtkRidgesAndUmbilics.

@@ -2,16 +2,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRidgesGathering.h"
 
+#include "Core/Fit/JetFit.h"
+#include "Core/Mesh/CoordinateRounding.h"
+#include "Core/Shares/PieceWalks.h"
+#include "Core/Umbilics/TriangleContent.h"
 #include "vtkRidgesArrayMessages.h"
 #include "vtkRidgesArrayNames.h"
 #include "vtkRidgesFieldData.h"
 #include "vtkRidgesMakeArray.h"
-#include "vtkRidgesPiece.h"
+#include "vtkRidgesMongeArrays.h"
 
+#include "vtkAlgorithm.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"
+#include "vtkDoubleArray.h"
+#include "vtkIdList.h"
 #include "vtkIdTypeArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
@@ -19,59 +26,57 @@
 #include "vtkPolyData.h"
 
 #include <algorithm>
+#include <limits>
+#include <numeric>
 #include <string>
 #include <utility>
 
 namespace names = vtkRidgesArrayNames;
 using ridges::Id;
 
-vtkSmartPointer<vtkPolyData> vtkRidgesGathering::Gather(ridges::Ranks& ranks, vtkPolyData* piece)
+namespace
 {
-  // The fit has found nothing wrong.
-  this->Piece.Build(
-    piece, {}, ridges::TriangleMesh::Edges::NotBuilt, vtkRidgesMesh::Duplicates::LeftOut);
-  const ridges::TriangleMesh& mesh = this->Piece.GetTriangles();
-  this->Points.Share(ranks, vtkRidgesPiece(this->Piece).GetView());
-  this->First = { 0 };
-  for (const Id count : ridges::GatherAllOne(ranks, mesh.NumberOfTriangles()))
-  {
-    this->First.push_back(this->First.back() + count);
-  }
-  std::vector<ridges::Bytes> messages(ranks.Size());
-  this->Pack(messages[0]);
-  messages = ranks.Exchange(std::move(messages));
-  vtkSmartPointer<vtkPolyData> whole;
-  std::vector<std::vector<vtkIdType>> ids(ranks.Size());
-  if (ranks.Rank() == 0)
-  {
-    whole = this->Join(messages, ids);
-    whole->GetFieldData()->ShallowCopy(piece->GetFieldData());
-  }
-  this->PointIds = ridges::ExchangeValues(ranks, std::move(ids)).front();
-  return whole;
-}
 
-void vtkRidgesGathering::Pack(ridges::Bytes& message) const
+constexpr std::uint8_t Beyond = std::numeric_limits<std::uint8_t>::max();
+
+/// Whether a point with triangles has no fit.
+bool LacksFit(vtkPolyData* piece, const ridges::TriangleMesh& mesh)
 {
-  const ridges::TriangleMesh& mesh = this->Piece.GetTriangles();
-  vtkPolyData* piece = this->Piece.GetPolyData();
-  const std::vector<std::int64_t>& numbers = this->Points.NumbersOfPiece();
-  ridges::Pack(message, numbers);
-  std::vector<std::int64_t> corners;
-  corners.reserve(3 * static_cast<std::size_t>(mesh.NumberOfTriangles()));
-  for (const ridges::Triangle& triangle : mesh.Triangles())
+  vtkDataArray* status = piece->GetPointData()->GetArray(names::FitStatus);
+  for (Id p = 0; status && p < mesh.NumberOfPoints(); ++p)
   {
-    for (const Id p : triangle)
+    if ((static_cast<int>(status->GetTuple1(p)) & ridges::FitInvalid) != 0 &&
+      mesh.TrianglesAround(p).size() > 0)
     {
-      corners.push_back(numbers[p]);
+      return true;
     }
   }
-  ridges::Pack(message, corners);
+  return false;
+}
 
-  vtkNew<vtkFieldData> rows;
-  if (!numbers.empty())
+vtkSmartPointer<vtkDataArray> SomeRows(vtkDataArray* array, const std::vector<Id>& rows)
+{
+  if (static_cast<vtkIdType>(rows.size()) == array->GetNumberOfTuples())
   {
-    rows->AddArray(piece->GetPoints()->GetData());
+    return array;
+  }
+  vtkNew<vtkIdList> ids;
+  ids->SetNumberOfIds(static_cast<vtkIdType>(rows.size()));
+  std::copy(rows.begin(), rows.end(), ids->begin());
+  auto some = vtkRidgesMakeArrayLike(array);
+  some->SetNumberOfTuples(ids->GetNumberOfIds());
+  array->GetTuples(ids, some);
+  return some;
+}
+
+/// The coordinates first, then the arrays of the points.
+void PackPoints(ridges::Bytes& message, vtkPolyData* piece, const std::vector<Id>& points)
+{
+  vtkNew<vtkFieldData> coordinates;
+  vtkNew<vtkFieldData> rows;
+  if (!points.empty())
+  {
+    coordinates->AddArray(SomeRows(piece->GetPoints()->GetData(), points));
     vtkPointData* values = piece->GetPointData();
     for (int i = 0; i < values->GetNumberOfArrays(); ++i)
     {
@@ -79,87 +84,393 @@ void vtkRidgesGathering::Pack(ridges::Bytes& message) const
       if (array && array->GetName() &&
         std::string(array->GetName()) != vtkDataSetAttributes::GhostArrayName())
       {
-        rows->AddArray(array);
+        rows->AddArray(SomeRows(array, points));
       }
     }
   }
+  vtkRidgesPackArrays(message, coordinates);
   vtkRidgesPackArrays(message, rows);
 }
 
-/// Points in the order of the pieces, so that one piece that is all keeps its numbers.
-vtkSmartPointer<vtkPolyData> vtkRidgesGathering::Join(
-  const std::vector<ridges::Bytes>& messages, std::vector<std::vector<vtkIdType>>& ids) const
+/// Rows of one rank into the arrays of all, which the first that has any makes.
+void PutRows(vtkFieldData* from, const std::vector<vtkIdType>& places, vtkIdType count,
+  bool areCoordinates, vtkFieldData* to)
 {
-  const std::int64_t count = this->Points.NumberOfAll();
-  std::vector<vtkIdType> idOf(count, -1);
-  vtkIdType next = 0;
-  auto whole = vtkSmartPointer<vtkPolyData>::New();
-  vtkNew<vtkFieldData> rows; // The first are the coordinates.
+  vtkNew<vtkIdList> sources;
+  vtkNew<vtkIdList> targets;
+  sources->SetNumberOfIds(static_cast<vtkIdType>(places.size()));
+  targets->SetNumberOfIds(sources->GetNumberOfIds());
+  std::iota(sources->begin(), sources->end(), 0);
+  std::copy(places.begin(), places.end(), targets->begin());
+  for (int i = 0; i < from->GetNumberOfArrays(); ++i)
+  {
+    vtkDataArray* part = from->GetArray(i);
+    const auto arrayOf = [part, to, areCoordinates]
+    { return areCoordinates ? to->GetArray(0) : to->GetArray(part->GetName()); };
+    if (!arrayOf())
+    {
+      const auto array = vtkRidgesMakeArrayLike(part);
+      array->SetNumberOfTuples(count);
+      to->AddArray(array);
+    }
+    arrayOf()->InsertTuples(targets, sources, part);
+  }
+}
+
+/// A copy of an array of ids, with others.
+void Renumber(vtkFieldData* data, const char* name, const std::vector<std::int64_t>& numbers)
+{
+  vtkDataArray* ids = data->GetArray(name);
+  if (!ids)
+  {
+    return;
+  }
+  const auto array = vtkRidgesMakeArrayLike(ids);
+  array->SetNumberOfTuples(ids->GetNumberOfTuples());
+  for (vtkIdType i = 0; i < ids->GetNumberOfTuples(); ++i)
+  {
+    const double id = ids->GetTuple1(i);
+    array->SetTuple1(i, id < 0.0 ? id : static_cast<double>(numbers[static_cast<std::size_t>(id)]));
+  }
+  data->AddArray(array);
+}
+
+} // namespace
+
+void vtkRidgesGathering::Extent::Enlarge()
+{
+  constexpr int most = 100;
+  this->ringsOfRidges = 2 * this->ringsOfRidges + 1;
+  this->ringsOfUmbilics = 2 * this->ringsOfUmbilics;
+  this->isAll = this->ringsOfUmbilics > most;
+}
+
+bool vtkRidgesGathering::Extent::operator==(const Extent& other) const
+{
+  return this->isAll == other.isAll && this->significance == other.significance &&
+    this->ringsOfUmbilics == other.ringsOfUmbilics && this->ringsOfRidges == other.ringsOfRidges;
+}
+
+void vtkRidgesGathering::Take(
+  ridges::Ranks& ranks, vtkPolyData* piece, ridges::SharedSurface& surface)
+{
+  // The fit has found nothing wrong.
+  this->Piece.Build(
+    piece, {}, ridges::TriangleMesh::Edges::NotBuilt, vtkRidgesMesh::Duplicates::LeftOut);
+  const ridges::TriangleMesh& mesh = this->Piece.GetTriangles();
+  this->PointIds = ridges::NumbersByPieces(ranks, surface.points);
+  this->Seams = ridges::PieceSeams(ranks, surface.points);
+  this->First = { 0 };
+  for (const Id count : ridges::GatherAllOne(ranks, mesh.NumberOfTriangles()))
+  {
+    this->First.push_back(this->First.back() + count);
+  }
+  // Coincident points are told apart by what lies around them, and without a fit there are holes.
+  this->MayBePart_ = !surface.hasCoincident && !ridges::IsAnywhere(ranks, LacksFit(piece, mesh));
+  if (this->MayBePart_)
+  {
+    this->EulerCharacteristic = surface.eulerCharacteristic;
+    this->IsClosed = surface.isClosed;
+    this->EnclosingRadius = ridges::EnclosingRadiusOfPieces(ranks, mesh);
+    const std::vector<double> roundings =
+      ridges::GatherAllOne(ranks, ridges::CoordinateRounding(mesh));
+    this->CoordinateRounding = *std::min_element(roundings.begin(), roundings.end());
+    this->BorderStrip.clear();
+    if (!surface.isClosed)
+    {
+      auto* scale = vtkDoubleArray::SafeDownCast(piece->GetPointData()->GetArray(names::FitScale));
+      this->BorderStrip = ridges::BorderStripOfPiece(ranks, mesh, this->Seams,
+        surface.points.ToPiece(ranks, surface.onBorder.data(), 1),
+        scale ? scale->GetPointer(0) : nullptr);
+    }
+  }
+  surface = ridges::SharedSurface();
+}
+
+vtkSmartPointer<vtkPolyData> vtkRidgesGathering::Gather(
+  ridges::Ranks& ranks, vtkAlgorithm* filter, const Extent& extent)
+{
+  const bool isPart = !extent.isAll && this->Choose(ranks, filter, extent);
+  if (!isPart)
+  {
+    this->ChooseAll();
+  }
+  this->Part = nullptr;
+  vtkSmartPointer<vtkPolyData> part;
+  if (ranks.Rank() == 0)
+  {
+    part = vtkSmartPointer<vtkPolyData>::New();
+    if (isPart)
+    {
+      this->Part = std::make_unique<ridges::MeshPart>();
+      this->Part->eulerCharacteristic = static_cast<Id>(this->EulerCharacteristic);
+      this->Part->isClosed = this->IsClosed;
+      this->Part->enclosingRadius = this->EnclosingRadius;
+      this->Part->coordinateRounding = this->CoordinateRounding;
+    }
+  }
+  const std::vector<Id> points = this->ChosenPoints();
+  this->GatherTriangles(ranks, points, part);
+  this->GatherPoints(ranks, points, part);
+  if (part)
+  {
+    part->GetFieldData()->ShallowCopy(this->Piece.GetPolyData()->GetFieldData());
+  }
+  return part;
+}
+
+/// The triangles of the piece. False if they are nearly all.
+bool vtkRidgesGathering::Choose(ridges::Ranks& ranks, vtkAlgorithm* filter, const Extent& extent)
+{
+  const ridges::TriangleMesh& mesh = this->Piece.GetTriangles();
+  this->Triangles.clear();
+  this->HighestLevel = std::max(extent.ringsOfUmbilics, extent.ringsOfRidges);
+  this->Levels.assign(mesh.NumberOfPoints(), Beyond);
+  if (mesh.NumberOfTriangles() > 0)
+  {
+    vtkRidgesMongeArrays arrays;
+    arrays.Fetch(filter, this->Piece.GetPolyData(), false);
+    const ridges::TriangleContents contents(
+      arrays.GetField(), arrays.GetErrors(), extent.significance, mesh.NumberOfPoints());
+    const auto levelOf = [this](int rings)
+    { return static_cast<std::uint8_t>(this->HighestLevel - rings); };
+    for (const ridges::Triangle& corners : mesh.Triangles())
+    {
+      const ridges::TriangleContent content = contents.At(corners);
+      if (content != ridges::TriangleContent::Nothing)
+      {
+        const std::uint8_t level =
+          levelOf(content == ridges::TriangleContent::Ridge ? extent.ringsOfRidges
+                                                            : extent.ringsOfUmbilics);
+        for (const Id p : corners)
+        {
+          this->Levels[p] = std::min(this->Levels[p], level);
+        }
+      }
+    }
+  }
+  const auto highest = static_cast<std::uint8_t>(this->HighestLevel);
+  ridges::SpreadLevels(ranks, mesh, this->Seams, highest, this->Levels);
+  // What is saved has to be worth the trouble.
+  constexpr double most = 0.75;
+  for (Id t = 0; t < mesh.NumberOfTriangles(); ++t)
+  {
+    const ridges::Triangle& c = mesh.Corners(t);
+    if (std::min({ this->Levels[c[0]], this->Levels[c[1]], this->Levels[c[2]] }) < highest)
+    {
+      this->Triangles.push_back(t);
+    }
+  }
+  const auto chosen = static_cast<double>(
+    ridges::SumOverRanks(ranks, static_cast<std::int64_t>(this->Triangles.size())));
+  return chosen <= most * static_cast<double>(this->First.back());
+}
+
+void vtkRidgesGathering::ChooseAll()
+{
+  this->Levels.clear();
+  this->Triangles.resize(this->Piece.GetTriangles().NumberOfTriangles());
+  std::iota(this->Triangles.begin(), this->Triangles.end(), 0);
+}
+
+/// Those of the chosen triangles or, with all triangles, all.
+std::vector<Id> vtkRidgesGathering::ChosenPoints() const
+{
+  const ridges::TriangleMesh& mesh = this->Piece.GetTriangles();
+  const bool isAll = static_cast<Id>(this->Triangles.size()) == mesh.NumberOfTriangles();
+  std::vector<std::uint8_t> isChosen(mesh.NumberOfPoints(), isAll ? 1 : 0);
+  for (const Id t : this->Triangles)
+  {
+    for (const Id p : mesh.Corners(t))
+    {
+      isChosen[p] = 1;
+    }
+  }
+  std::vector<Id> points;
+  for (Id p = 0; p < mesh.NumberOfPoints(); ++p)
+  {
+    if (isChosen[p] != 0)
+    {
+      points.push_back(p);
+    }
+  }
+  return points;
+}
+
+vtkIdType vtkRidgesGathering::IdInPart(std::int64_t number) const
+{
+  const bool areAll =
+    this->PointsOfPart.back() + 1 == static_cast<std::int64_t>(this->PointsOfPart.size());
+  return areAll ? number
+                : std::lower_bound(this->PointsOfPart.begin(), this->PointsOfPart.end(), number) -
+      this->PointsOfPart.begin();
+}
+
+/// And what is known of their points.
+void vtkRidgesGathering::GatherTriangles(
+  ridges::Ranks& ranks, const std::vector<Id>& points, vtkPolyData* part)
+{
+  const ridges::TriangleMesh& mesh = this->Piece.GetTriangles();
+  std::vector<std::int64_t> pointIds;
+  std::vector<std::int64_t> corners;
+  std::vector<std::uint8_t> rings;
+  std::vector<std::uint8_t> strip;
+  for (const Id p : points)
+  {
+    pointIds.push_back(this->PointIds[p]);
+    if (!this->Levels.empty())
+    {
+      rings.push_back(static_cast<std::uint8_t>(
+        this->HighestLevel - std::min<int>(this->Levels[p], this->HighestLevel)));
+    }
+    if (!this->BorderStrip.empty())
+    {
+      strip.push_back(this->BorderStrip[p]);
+    }
+  }
+  for (const Id t : this->Triangles)
+  {
+    for (const Id p : mesh.Corners(t))
+    {
+      corners.push_back(this->PointIds[p]);
+    }
+  }
+  std::vector<ridges::Bytes> messages(ranks.Size());
+  ridges::Pack(messages[0], pointIds);
+  ridges::Pack(messages[0], this->Triangles);
+  ridges::Pack(messages[0], corners);
+  ridges::Pack(messages[0], rings);
+  ridges::Pack(messages[0], strip);
+  pointIds = {};
+  corners = {};
+  messages = ranks.Exchange(std::move(messages));
+  if (!part)
+  {
+    return;
+  }
+
+  this->PointsOfPart.clear();
+  for (const ridges::Bytes& message : messages)
+  {
+    const auto ids = ridges::Unpacker(message).Take<std::int64_t>();
+    this->PointsOfPart.insert(this->PointsOfPart.end(), ids.begin(), ids.end());
+  }
+  std::sort(this->PointsOfPart.begin(), this->PointsOfPart.end());
+  this->PointsOfPart.erase(
+    std::unique(this->PointsOfPart.begin(), this->PointsOfPart.end()), this->PointsOfPart.end());
+  if (this->Part)
+  {
+    this->Part->rings.assign(this->PointsOfPart.size(), 0);
+    this->Part->borderStrip.clear();
+  }
+  this->TrianglesOfPart.clear();
+  this->FirstOfPart = { 0 };
+  this->PointsFrom.assign(messages.size(), {});
   vtkNew<vtkCellArray> polys;
   for (std::size_t rank = 0; rank < messages.size(); ++rank)
   {
     ridges::Unpacker message(messages[rank]);
-    const std::vector<std::int64_t> numbers = message.Take<std::int64_t>();
-    const std::vector<std::int64_t> corners = message.Take<std::int64_t>();
-    for (const std::int64_t number : numbers)
+    for (const std::int64_t id : message.Take<std::int64_t>())
     {
-      idOf[number] = idOf[number] < 0 ? next++ : idOf[number];
-      ids[rank].push_back(idOf[number]);
+      this->PointsFrom[rank].push_back(this->IdInPart(id));
     }
-    for (std::size_t i = 0; i < corners.size(); i += 3)
+    for (const Id t : message.Take<Id>())
     {
-      const vtkIdType triangle[] = { idOf[corners[i]], idOf[corners[i + 1]], idOf[corners[i + 2]] };
+      this->TrianglesOfPart.push_back(this->First[rank] + t);
+    }
+    this->FirstOfPart.push_back(static_cast<vtkIdType>(this->TrianglesOfPart.size()));
+    const auto ids = message.Take<std::int64_t>();
+    for (std::size_t i = 0; i < ids.size(); i += 3)
+    {
+      const vtkIdType triangle[] = { this->IdInPart(ids[i]), this->IdInPart(ids[i + 1]),
+        this->IdInPart(ids[i + 2]) };
       polys->InsertNextCell(3, triangle);
     }
-    vtkNew<vtkFieldData> part;
-    vtkRidgesTakeArrays(message, part);
-    for (int k = 0; k < part->GetNumberOfArrays(); ++k)
+    const auto ringsThere = message.Take<std::uint8_t>();
+    const auto stripThere = message.Take<std::uint8_t>();
+    for (std::size_t i = 0; this->Part && i < ringsThere.size(); ++i)
     {
-      vtkDataArray* from = part->GetArray(k);
-      if (rows->GetNumberOfArrays() <= k)
-      {
-        const auto array = vtkRidgesMakeArrayLike(from);
-        array->SetNumberOfTuples(count);
-        rows->AddArray(array);
-      }
-      vtkDataArray* to = k == 0 ? rows->GetArray(0) : rows->GetArray(from->GetName());
-      for (std::size_t i = 0; i < numbers.size(); ++i)
-      {
-        to->SetTuple(ids[rank][i], static_cast<vtkIdType>(i), from);
-      }
+      std::uint8_t& most = this->Part->rings[this->PointsFrom[rank][i]];
+      most = std::max(most, ringsThere[i]);
     }
+    for (std::size_t i = 0; this->Part && i < stripThere.size(); ++i)
+    {
+      this->Part->borderStrip.resize(this->PointsOfPart.size(), 0);
+      this->Part->borderStrip[this->PointsFrom[rank][i]] = stripThere[i];
+    }
+    messages[rank] = {};
   }
-  vtkNew<vtkPoints> points;
-  if (rows->GetNumberOfArrays() > 0)
-  {
-    points->SetDataType(rows->GetArray(0)->GetDataType());
-    points->SetData(rows->GetArray(0));
-  }
-  whole->SetPoints(points);
-  whole->SetPolys(polys);
-  for (int k = 1; k < rows->GetNumberOfArrays(); ++k)
-  {
-    whole->GetPointData()->AddArray(rows->GetArray(k));
-  }
-  return whole;
+  part->SetPolys(polys);
 }
 
-void vtkRidgesGathering::GiveBack(ridges::Ranks& ranks, vtkPolyData* whole, vtkPolyData* output)
+void vtkRidgesGathering::GatherPoints(
+  ridges::Ranks& ranks, const std::vector<Id>& points, vtkPolyData* part)
 {
   std::vector<ridges::Bytes> messages(ranks.Size());
-  for (int rank = 0; whole && rank < ranks.Size(); ++rank)
+  PackPoints(messages[0], this->Piece.GetPolyData(), points);
+  messages = ranks.Exchange(std::move(messages));
+  if (!part)
   {
-    vtkNew<vtkFieldData> part;
-    vtkCellData* cells = whole->GetCellData();
+    return;
+  }
+  const auto count = static_cast<vtkIdType>(this->PointsOfPart.size());
+  vtkNew<vtkFieldData> coordinates;
+  vtkNew<vtkFieldData> rows;
+  for (std::size_t rank = 0; rank < messages.size(); ++rank)
+  {
+    ridges::Unpacker message(messages[rank]);
+    for (vtkFieldData* all : { coordinates.GetPointer(), rows.GetPointer() })
+    {
+      vtkNew<vtkFieldData> from;
+      vtkRidgesTakeArrays(message, from);
+      PutRows(from, this->PointsFrom[rank], count, all == coordinates.GetPointer(), all);
+    }
+    messages[rank] = {};
+  }
+  this->PointsFrom.clear();
+  vtkNew<vtkPoints> positions;
+  if (coordinates->GetNumberOfArrays() > 0)
+  {
+    positions->SetDataType(coordinates->GetArray(0)->GetDataType());
+    positions->SetData(coordinates->GetArray(0));
+  }
+  part->SetPoints(positions);
+  for (int k = 0; k < rows->GetNumberOfArrays(); ++k)
+  {
+    part->GetPointData()->AddArray(rows->GetArray(k));
+  }
+}
+
+void vtkRidgesGathering::NumberPoints(vtkFieldData* data, const char* name) const
+{
+  Renumber(data, name, this->PointsOfPart);
+}
+
+void vtkRidgesGathering::NumberTriangles(vtkFieldData* data, const char* name) const
+{
+  Renumber(data, name, this->TrianglesOfPart);
+}
+
+void vtkRidgesGathering::GiveBack(ridges::Ranks& ranks, vtkPolyData* part, vtkPolyData* output)
+{
+  std::vector<ridges::Bytes> messages(ranks.Size());
+  for (int rank = 0; part && rank < ranks.Size(); ++rank)
+  {
+    vtkNew<vtkFieldData> rows;
+    vtkCellData* cells = part->GetCellData();
     for (int i = 0; i < cells->GetNumberOfArrays(); ++i)
     {
       vtkDataArray* array = cells->GetArray(i);
-      const auto rows = vtkRidgesMakeArrayLike(array);
-      rows->InsertTuples(0, this->First[rank + 1] - this->First[rank], this->First[rank], array);
-      part->AddArray(rows);
+      const auto own = vtkRidgesMakeArrayLike(array);
+      own->InsertTuples(
+        0, this->FirstOfPart[rank + 1] - this->FirstOfPart[rank], this->FirstOfPart[rank], array);
+      rows->AddArray(own);
     }
-    vtkRidgesPackArrays(messages[rank], part);
-    vtkRidgesPackArrays(messages[rank], whole->GetFieldData());
+    vtkNew<vtkFieldData> field;
+    field->ShallowCopy(part->GetFieldData());
+    this->NumberTriangles(field, names::UmbilicTriangle);
+    vtkRidgesPackArrays(messages[rank], rows);
+    vtkRidgesPackArrays(messages[rank], field);
   }
   const std::vector<ridges::Bytes> received = ranks.Exchange(std::move(messages));
   ridges::Unpacker message(received[0]);
@@ -168,29 +479,32 @@ void vtkRidgesGathering::GiveBack(ridges::Ranks& ranks, vtkPolyData* whole, vtkP
 
   output->ShallowCopy(this->Piece.GetPolyData());
   const ridges::TriangleMesh& mesh = this->Piece.GetTriangles();
-  auto cellNumbers = vtkRidgesMakeArray<vtkIdTypeArray>(names::GatheredCellId);
-  for (vtkIdType t = this->First[ranks.Rank()]; t < this->First[ranks.Rank() + 1]; ++t)
+  const auto add = [output](vtkDataArray* like)
   {
-    cellNumbers->InsertNextValue(t);
-  }
-  rows->AddArray(cellNumbers);
+    const auto array = vtkRidgesMakeArrayLike(like);
+    array->SetNumberOfTuples(output->GetNumberOfCells());
+    array->Fill(-1.0);
+    output->GetCellData()->AddArray(array);
+    return array;
+  };
   for (int i = 0; i < rows->GetNumberOfArrays(); ++i)
   {
     vtkDataArray* from = rows->GetArray(i);
-    const auto array = vtkRidgesMakeArrayLike(from);
-    array->SetNumberOfTuples(output->GetNumberOfCells());
-    array->Fill(-1.0);
-    for (Id t = 0; t < mesh.NumberOfTriangles(); ++t)
+    const auto array = add(from);
+    for (std::size_t k = 0; k < this->Triangles.size(); ++k)
     {
-      array->SetTuple(this->Piece.GetCellId(t), t, from);
+      array->SetTuple(this->Piece.GetCellId(this->Triangles[k]), static_cast<vtkIdType>(k), from);
     }
-    output->GetCellData()->AddArray(array);
+  }
+  const auto cellNumbers = add(vtkRidgesMakeArray<vtkIdTypeArray>(names::GatheredCellId));
+  auto* cellIds = vtkIdTypeArray::SafeDownCast(cellNumbers);
+  for (Id t = 0; t < mesh.NumberOfTriangles(); ++t)
+  {
+    cellIds->SetValue(this->Piece.GetCellId(t), this->First[ranks.Rank()] + t);
   }
   auto pointNumbers = vtkRidgesMakeArray<vtkIdTypeArray>(names::GatheredPointId);
-  for (const vtkIdType id : this->PointIds)
-  {
-    pointNumbers->InsertNextValue(id);
-  }
+  pointNumbers->SetNumberOfValues(static_cast<vtkIdType>(this->PointIds.size()));
+  std::copy(this->PointIds.begin(), this->PointIds.end(), pointNumbers->GetPointer(0));
   output->GetPointData()->AddArray(pointNumbers);
   vtkRidgesTakeArrays(message, vtkRidgesOwnFieldData(output));
 }

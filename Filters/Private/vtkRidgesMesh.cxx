@@ -366,8 +366,17 @@ bool vtkRidgesMesh::IsHidden(ridges::Id point) const
     this->Triangles->TrianglesAround(point).size() == 0;
 }
 
+void vtkRidgesMesh::SetPart(const ridges::MeshPart* part)
+{
+  this->Shared->triangles.SetPart(part);
+}
+
 int vtkRidgesMesh::GetEulerCharacteristic() const
 {
+  if (const ridges::MeshPart* part = this->Triangles->Part())
+  {
+    return part->eulerCharacteristic;
+  }
   return this->Triangles->EulerCharacteristic(vtkRidgesRangeLoop);
 }
 

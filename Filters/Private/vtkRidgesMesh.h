@@ -88,7 +88,10 @@ public:
   /// Whether a point has no triangles because these, or the point itself, are hidden.
   bool IsHidden(ridges::Id point) const;
 
-  /// Of the triangles, as TriangleMesh has it.
+  /// Says that this is a part of a larger mesh, or null: of none. The caller keeps it.
+  void SetPart(const ridges::MeshPart* part);
+
+  /// Of the triangles, as TriangleMesh has it; of those of the larger mesh, if it is a part of one.
   int GetEulerCharacteristic() const;
 
   /// Points that coincide with another one: a seam that merging them would close.

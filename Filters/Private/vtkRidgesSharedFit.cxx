@@ -5,6 +5,7 @@
 #include "Core/Base/RankMessages.h"
 #include "Core/Shares/EdgeFaults.h"
 #include "Core/Shares/SharedMesh.h"
+#include "Core/Shares/SharedSurface.h"
 #include "vtkJetFitting.h"
 #include "vtkRidgesBatches.h"
 #include "vtkRidgesFitFaults.h"
@@ -28,6 +29,7 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
 
 #include <algorithm>
 #include <memory>
@@ -73,23 +75,31 @@ public:
   void Warn();
   void Store(vtkPolyData* output);
 
+  /// At the end, once.
+  void Keep(ridges::SharedSurface& surface);
+
 private:
   bool Choose(vtkRidgesFitPoints::Settings& settings);
   int GuessReach(const vtkRidgesFitPoints::Settings& settings) const;
   bool FitShare(const vtkRidgesFitPoints::Settings& settings, const std::vector<Id>& points,
     int rings, std::vector<int>& reach);
   void CountEdges(const ridges::MeshShare& share, const ridges::OrderedRings& rings);
+  void LookAtSurface(const ridges::TriangleMesh& mesh, const ridges::OrderedRings& rings);
   void Average(vtkPointData* values);
 
   vtkJetFitting* Filter;
   ridges::Ranks& Ranks;
   int Order;
   bool IsAutomatic;
-  vtkRidgesMesh Piece;
+  vtkSmartPointer<vtkPolyData> Piece; ///< Of triangles.
   ridges::SharedMesh Shared;
   ridges::JetChoice Choice;
   std::unique_ptr<vtkRidgesMongeOutput> Values; ///< Of owned points.
   vtkRidgesFitFaults Faults;
+  std::int64_t Fans = 0;        ///< Of owned points: see TriangleMesh::NumberOfFans.
+  std::int64_t SharedEdges = 0; ///< With two triangles, each counted at both ends.
+  bool HasCoincident = false;
+  std::vector<std::uint8_t> OnBorder;
 };
 
 bool SharedFit::Take(vtkInformationVector* input)
@@ -100,20 +110,23 @@ bool SharedFit::Take(vtkInformationVector* input)
   {
     faults = vtkRidgesFitSettingsFault(this->Filter);
   }
+  vtkRidgesMesh mesh;
   if (faults.empty())
   {
-    faults = this->Piece.Build(
+    faults = mesh.Build(
       piece, {}, ridges::TriangleMesh::Edges::NotBuilt, vtkRidgesMesh::Duplicates::LeftOut);
   }
   if (!vtkRidgesAgree(this->Filter, this->Ranks, piece, TextOfProperties(this->Filter), faults))
   {
     return false;
   }
-  this->Faults.triangulatedCells = this->Piece.GetNumberOfTriangulatedCells();
-  this->Faults.unusableTriangles = this->Piece.GetNumberOfUnusableTriangles();
+  // Of the piece itself, nothing but the values of its points is needed any more.
+  this->Piece = mesh.GetPolyData();
+  this->Faults.triangulatedCells = mesh.GetNumberOfTriangulatedCells();
+  this->Faults.unusableTriangles = mesh.GetNumberOfUnusableTriangles();
   // Found out together: all ranks have the same text.
-  return vtkRidgesAgree(this->Filter, this->Ranks,
-    this->Shared.Share(this->Ranks, vtkRidgesPiece(this->Piece).GetView()));
+  return vtkRidgesAgree(
+    this->Filter, this->Ranks, this->Shared.Share(this->Ranks, vtkRidgesPiece(mesh).GetView()));
 }
 
 bool SharedFit::Choose(vtkRidgesFitPoints::Settings& settings)
@@ -176,6 +189,7 @@ bool SharedFit::FitShare(const vtkRidgesFitPoints::Settings& settings,
   {
     this->Values = std::move(values);
     this->CountEdges(share, ordered);
+    this->LookAtSurface(mesh, ordered);
   }
   return true;
 }
@@ -227,8 +241,40 @@ void SharedFit::CountEdges(const ridges::MeshShare& share, const ridges::Ordered
       this->Faults.inconsistentEdges += faults.inconsistent;
     }
   }
-  this->Faults.coincident =
-    vtkRidgesCountCoincidentPoints(this->Shared.Around(), this->Shared.NumberOfOwned());
+  this->HasCoincident = !this->Shared.Points().Coincident().empty();
+  if (this->HasCoincident) // as it takes long
+  {
+    this->Faults.coincident =
+      vtkRidgesCountCoincidentPoints(this->Shared.Around(), this->Shared.NumberOfOwned());
+  }
+}
+
+void SharedFit::LookAtSurface(const ridges::TriangleMesh& mesh, const ridges::OrderedRings& rings)
+{
+  const Id count = this->Shared.NumberOfOwned();
+  this->OnBorder.assign(count, 0);
+  for (Id p = 0; p < count; ++p)
+  {
+    const Id triangles = mesh.TrianglesAround(p).size();
+    const bool isOne = rings.IsRegular(p) && triangles > 0;
+    this->Fans += isOne ? 1 : mesh.NumberOfFans(p);
+    this->SharedEdges +=
+      isOne ? triangles - (rings.IsClosed(p) ? 0 : 1) : ridges::SharedEdgesAt(mesh, p);
+    this->OnBorder[p] = rings.OnBorder(p) ? 1 : 0;
+  }
+}
+
+void SharedFit::Keep(ridges::SharedSurface& surface)
+{
+  using ridges::SumOverRanks;
+  const std::int64_t triangles = this->Shared.NumberOfTriangles();
+  const std::int64_t fans = SumOverRanks(this->Ranks, this->Fans);
+  const std::int64_t sharedEdges = SumOverRanks(this->Ranks, this->SharedEdges) / 2;
+  surface.eulerCharacteristic = fans - (3 * triangles - sharedEdges) + triangles;
+  surface.isClosed = 2 * sharedEdges == 3 * triangles;
+  surface.hasCoincident = ridges::IsAnywhere(this->Ranks, this->HasCoincident);
+  surface.onBorder = std::move(this->OnBorder);
+  surface.points = this->Shared.TakePoints();
 }
 
 void SharedFit::Warn()
@@ -301,19 +347,18 @@ void SharedFit::Store(vtkPolyData* output)
     this->Average(values);
   }
   this->Shared.Release();
-  output->ShallowCopy(this->Piece.GetPolyData());
+  output->ShallowCopy(this->Piece);
   vtkRidgesMongeOutput(0, this->Order, false).AddTo(output->GetPointData());
   vtkRidgesRowsOfPiece(this->Ranks, this->Shared.Points(), values, output->GetPointData());
   vtkRidgesUmbilicMarks::RemoveFrom(output);
   const bool hasChoice = this->IsAutomatic && this->Shared.Points().NumberOfAll() > 0;
   vtkRidgesStoreJetChoice(output, hasChoice ? &this->Choice : nullptr);
-  this->Piece.HandOnWith(output);
 }
 
 } // namespace
 
-int vtkRidgesSharedFit(
-  vtkJetFitting* filter, ridges::Ranks& ranks, vtkInformationVector* input, vtkPolyData* output)
+int vtkRidgesSharedFit(vtkJetFitting* filter, ridges::Ranks& ranks, vtkInformationVector* input,
+  vtkPolyData* output, ridges::SharedSurface* surface)
 {
   SharedFit fit(filter, ranks);
   if (!fit.Take(input))
@@ -326,5 +371,9 @@ int vtkRidgesSharedFit(
   }
   fit.Warn();
   fit.Store(output);
+  if (surface)
+  {
+    fit.Keep(*surface);
+  }
   return 1;
 }

@@ -19,9 +19,9 @@ VTK_ABI_NAMESPACE_END
  *
  * Points are owned by ranks: each rank fits those that it owns, on a share of the mesh that goes as
  * many rings farther as the fits look at. Where a fit has looked farther than that, it is done
- * again on a larger share.
+ * again on a larger share. The surface, if wanted, is what was seen meanwhile.
  */
-int vtkRidgesSharedFit(
-  vtkJetFitting* filter, ridges::Ranks& ranks, vtkInformationVector* input, vtkPolyData* output);
+int vtkRidgesSharedFit(vtkJetFitting* filter, ridges::Ranks& ranks, vtkInformationVector* input,
+  vtkPolyData* output, ridges::SharedSurface* surface);
 
 #endif

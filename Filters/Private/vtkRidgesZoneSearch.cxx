@@ -91,6 +91,12 @@ bool vtkRidgesZoneSearch::Run(vtkAlgorithm* filter, double from, double to,
   {
     return true;
   }
+  if (const ridges::MeshPart* part = this->Monge.mesh.GetTriangles().Part())
+  {
+    // Whether a zone is one depends on how much of the mesh it is.
+    part->Want(ridges::MeshPart::Wants::All);
+    return true;
+  }
   if (!this->JudgePoints(filter, from, to))
   {
     return false;

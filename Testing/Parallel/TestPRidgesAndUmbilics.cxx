@@ -25,6 +25,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <functional>
 #include <numeric>
 #include <string>
 #include <vector>
@@ -42,9 +43,14 @@ struct Expected
   vtkSmartPointer<vtkPolyData> mesh;
 };
 
-Expected OnOneRank(const Mesh& mesh)
+using Settings = std::function<void(vtkRidgesAndUmbilics*)>;
+
+void SetNone(vtkRidgesAndUmbilics*) {}
+
+Expected OnOneRank(const Mesh& mesh, const Settings& set = SetNone)
 {
   vtkNew<vtkRidgesAndUmbilics> serial;
+  set(serial);
   const MessageRecorder recorder(serial);
   const auto output = [&serial, &mesh](int port)
   {
@@ -151,12 +157,14 @@ void ExpectTheSameEdges(
   }
 }
 
-void ExpectTheSame(const Expected& expected, const NamedMesh& named, Partition partition)
+void ExpectTheSame(const Expected& expected, const NamedMesh& named, Partition partition,
+  const Settings& set = SetNone)
 {
   SCOPED_TRACE(
     std::string(named.name) + ", partition " + std::to_string(static_cast<int>(partition)));
   const RankPiece own = PieceOfRank(named.mesh, partition);
   vtkNew<vtkPRidgesAndUmbilics> parallel;
+  set(parallel);
   const MessageRecorder recorder(parallel);
   parallel->SetInputData(own.data);
   parallel->Update();
@@ -230,6 +238,27 @@ TEST(PRidgesAndUmbilics, GivesTheBytesOfOneRank)
     {
       ExpectTheSame(expected, named, partition);
     }
+  }
+}
+
+// Of these, rank 0 gets a part, and larger ones where patches reach farther, or loops.
+TEST(PRidgesAndUmbilics, GivesTheBytesOfOneRankFromAPartOfTheMesh)
+{
+  const auto height = [](double x, double y)
+  { return 0.4 * x * x - 0.3 * y * y + 0.3 * x * x * x + 0.2 * x * y * y; };
+  const auto largePatches = [](vtkRidgesAndUmbilics* filter) { filter->SetPatchSize(10.0); };
+  const NamedMesh ellipsoid = { "large ellipsoid", EllipsoidMesh(48, 1.0, 0.8, 0.6) };
+  const struct
+  {
+    NamedMesh mesh;
+    Settings set;
+  } cases[] = { { ellipsoid, SetNone }, { ellipsoid, largePatches },
+    { { "large open patch", GraphPatch(height, 1.0, 90, 0.2) }, SetNone } };
+  for (const auto& [mesh, set] : cases)
+  {
+    const Expected expected = OnOneRank(mesh.mesh, set);
+    ExpectTheSame(
+      expected, mesh, &mesh == &cases[0].mesh ? Partition::Random : Partition::Blocks, set);
   }
 }
 

@@ -179,14 +179,35 @@ bool MayBeWeak(const MongeField& field, const FitErrorSource& source, double sig
     significance * (mostError * mostOfNeighbors * source.fitResidual[point] + rounding));
 }
 
+namespace
+{
+
+bool IsWeakAt(const MongeField& field, const std::array<double, 3>& errors, double significance,
+  const Triangle& c)
+{
+  const double gap = SumBySize(field.k1[c[0]] - field.k2[c[0]], field.k1[c[1]] - field.k2[c[1]],
+    field.k1[c[2]] - field.k2[c[2]]);
+  const double error = SumBySize(errors[0], errors[1], errors[2]);
+  return error > 0.0 && gap <= significance * error;
+}
+
+} // namespace
+
 bool IsWeak(const TriangleMesh& mesh, const MongeField& field, const double* gapErrors,
   double significance, Id triangle)
 {
   const Triangle& c = mesh.Corners(triangle);
-  const double gap = SumBySize(field.k1[c[0]] - field.k2[c[0]], field.k1[c[1]] - field.k2[c[1]],
-    field.k1[c[2]] - field.k2[c[2]]);
-  const double error = SumBySize(gapErrors[c[0]], gapErrors[c[1]], gapErrors[c[2]]);
-  return error > 0.0 && gap <= significance * error;
+  return IsWeakAt(field, { gapErrors[c[0]], gapErrors[c[1]], gapErrors[c[2]] }, significance, c);
+}
+
+bool IsWeakByStandardErrors(
+  const MongeField& field, const FitErrorSource& source, double significance, const Triangle& c)
+{
+  std::array<double, 3> errors;
+  std::transform(c.begin(), c.end(), errors.begin(),
+    [&source](Id p)
+    { return std::hypot(source.maximumCurvatureError[p], source.minimumCurvatureError[p]); });
+  return IsWeakAt(field, errors, significance, c);
 }
 
 } // namespace ridges

@@ -44,6 +44,10 @@ bool MayBeWeak(
 bool IsWeak(const TriangleMesh& mesh, const MongeField& field, const double* gapErrors,
   double significance, Id triangle);
 
+/// The same where standard errors are known, of the corners of a triangle.
+bool IsWeakByStandardErrors(
+  const MongeField& field, const FitErrorSource& source, double significance, const Triangle& c);
+
 } // namespace ridges
 
 #endif

@@ -17,27 +17,14 @@ using Entry = std::pair<double, Id>; ///< Distance and point.
 
 } // namespace
 
-std::vector<std::uint8_t> BorderStrip(const TriangleMesh& mesh, const double* radii)
+void SpreadDistances(const TriangleMesh& mesh, const std::vector<Id>& from, double farthest,
+  std::vector<double>& distances)
 {
-  const auto count = static_cast<std::size_t>(mesh.NumberOfPoints());
   std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> queue;
-  for (Id p = 0; p < mesh.NumberOfPoints(); ++p)
+  for (const Id p : from)
   {
-    if (mesh.OnBorder(p))
-    {
-      queue.emplace(0.0, p);
-    }
+    queue.emplace(distances[p], p);
   }
-  if (queue.empty())
-  {
-    return {};
-  }
-  std::vector<double> distances(count);
-  for (Id p = 0; p < mesh.NumberOfPoints(); ++p)
-  {
-    distances[p] = mesh.OnBorder(p) ? 0.0 : std::numeric_limits<double>::infinity();
-  }
-  const double farthest = radii && count > 0 ? *std::max_element(radii, radii + count) : 0.0;
   while (!queue.empty())
   {
     const auto [distance, p] = queue.top();
@@ -59,12 +46,44 @@ std::vector<std::uint8_t> BorderStrip(const TriangleMesh& mesh, const double* ra
       }
     }
   }
-  std::vector<std::uint8_t> strip(count);
-  for (std::size_t p = 0; p < count; ++p)
+}
+
+std::vector<std::uint8_t> StripWithin(const std::vector<double>& distances, const double* radii)
+{
+  std::vector<std::uint8_t> strip(distances.size());
+  for (std::size_t p = 0; p < distances.size(); ++p)
   {
     strip[p] = distances[p] <= (radii ? std::max(radii[p], 0.0) : 0.0) ? 1 : 0;
   }
   return strip;
+}
+
+std::vector<std::uint8_t> BorderStrip(const TriangleMesh& mesh, const double* radii)
+{
+  if (mesh.Part())
+  {
+    return mesh.Part()->borderStrip;
+  }
+  std::vector<Id> border;
+  for (Id p = 0; p < mesh.NumberOfPoints(); ++p)
+  {
+    if (mesh.OnBorder(p))
+    {
+      border.push_back(p);
+    }
+  }
+  if (border.empty())
+  {
+    return {};
+  }
+  const auto count = static_cast<std::size_t>(mesh.NumberOfPoints());
+  std::vector<double> distances(count, std::numeric_limits<double>::infinity());
+  for (const Id p : border)
+  {
+    distances[p] = 0.0;
+  }
+  SpreadDistances(mesh, border, radii ? *std::max_element(radii, radii + count) : 0.0, distances);
+  return StripWithin(distances, radii);
 }
 
 } // namespace ridges

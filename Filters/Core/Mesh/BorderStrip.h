@@ -18,6 +18,16 @@ namespace ridges
  */
 std::vector<std::uint8_t> BorderStrip(const TriangleMesh& mesh, const double* radii);
 
+/**
+ * Distances along edges, as far as they are not larger than `farthest`: those of the points `from`
+ * are given, and others become smaller where a way from these is shorter.
+ */
+void SpreadDistances(const TriangleMesh& mesh, const std::vector<Id>& from, double farthest,
+  std::vector<double>& distances);
+
+/// The strip from the distances to the border.
+std::vector<std::uint8_t> StripWithin(const std::vector<double>& distances, const double* radii);
+
 /// Whether any corner of a triangle is in the strip.
 inline bool IsInStrip(const TriangleMesh& mesh, const std::vector<std::uint8_t>& strip, Id triangle)
 {

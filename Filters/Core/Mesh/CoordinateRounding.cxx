@@ -9,6 +9,10 @@ namespace ridges
 
 double CoordinateRounding(const TriangleMesh& mesh)
 {
+  if (mesh.Part())
+  {
+    return mesh.Part()->coordinateRounding;
+  }
   for (Id p = 0; p < mesh.NumberOfPoints(); ++p)
   {
     for (const double x : mesh.Point(p))

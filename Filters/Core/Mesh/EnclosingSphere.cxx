@@ -75,90 +75,130 @@ Sphere SmallestSphereOfFew(Support& support)
   return best;
 }
 
-} // namespace
+Eigen::Vector3d PositionOf(const FarPoint& point)
+{
+  return Eigen::Map<const Eigen::Vector3d>(point.x.data());
+}
+
+FarPoint MakeFarPoint(double squaredDistance, const Eigen::Vector3d& x)
+{
+  return { squaredDistance, { x[0], x[1], x[2] } };
+}
+
+FarPoint FarthestFrom(
+  const Eigen::Vector3d& center, const Eigen::Ref<const Eigen::Matrix3Xd>& points)
+{
+  FarPoint farthest;
+  for (Eigen::Index i = 0; i < points.cols(); ++i)
+  {
+    const double other = (points.col(i) - center).squaredNorm();
+    if (other >= farthest.squaredDistance)
+    {
+      farthest = FartherOf(farthest, MakeFarPoint(other, points.col(i)));
+    }
+  }
+  return farthest;
+}
+
+/// Of one who has all points.
+SphereOfPieces OfOne()
+{
+  return { [](const FarPoint& own) { return own; },
+    [](const std::array<double, 6>& own) { return own; } };
+}
 
 // The farthest point outside the current sphere joins the few that determine it. The radius grows
 // in every step and each sphere belongs to one of finitely many sets of points, so the loop ends;
 // in practice after about ten steps, each linear in the number of points. What comes first by
 // position starts and decides between equals: not even round-off depends on the numbering.
-Sphere SmallestEnclosingSphere(const Eigen::Ref<const Eigen::Matrix3Xd>& points)
+Sphere Enclose(const Eigen::Ref<const Eigen::Matrix3Xd>& points, const SphereOfPieces& ofAll)
 {
-  if (points.cols() == 0)
+  FarPoint first;
+  for (Eigen::Index i = 0; i < points.cols(); ++i)
+  {
+    first = FartherOf(first, MakeFarPoint(0.0, points.col(i)));
+  }
+  first = ofAll.farthest(first);
+  if (first.squaredDistance < 0.0)
   {
     return {};
   }
-  Eigen::Index first = 0;
-  for (Eigen::Index i = 1; i < points.cols(); ++i)
-  {
-    first = ComesBefore(points.col(i), points.col(first)) ? i : first;
-  }
   Support support;
-  support.Add(points.col(first));
-  Sphere sphere{ points.col(first), 0.0 };
+  support.Add(PositionOf(first));
+  Sphere sphere{ PositionOf(first), 0.0 };
   for (;;)
   {
-    Eigen::Index farthest = 0;
-    double squared = -1.0;
-    for (Eigen::Index i = 0; i < points.cols(); ++i)
-    {
-      const double other = (points.col(i) - sphere.center).squaredNorm();
-      if (other > squared || (other == squared && ComesBefore(points.col(i), points.col(farthest))))
-      {
-        squared = other;
-        farthest = i;
-      }
-    }
-    if (!(std::sqrt(squared) > sphere.radius * (1.0 + 1e-12)))
+    const FarPoint farthest = ofAll.farthest(FarthestFrom(sphere.center, points));
+    if (!(std::sqrt(farthest.squaredDistance) > sphere.radius * (1.0 + 1e-12)))
     {
       return sphere;
     }
-    support.Add(points.col(farthest));
+    support.Add(PositionOf(farthest));
     const Sphere larger = SmallestSphereOfFew(support);
     if (!(larger.radius > sphere.radius))
     {
       // Round-off: the support points are almost dependent. Enclose the last one all the same.
-      sphere.radius = std::sqrt(squared);
+      sphere.radius = std::sqrt(farthest.squaredDistance);
       return sphere;
     }
     sphere = larger;
   }
 }
 
+} // namespace
+
+FarPoint FartherOf(const FarPoint& a, const FarPoint& b)
+{
+  const bool isB = b.squaredDistance > a.squaredDistance ||
+    (b.squaredDistance == a.squaredDistance && ComesBefore(PositionOf(b), PositionOf(a)));
+  return isB ? b : a;
+}
+
+Sphere SmallestEnclosingSphere(const Eigen::Ref<const Eigen::Matrix3Xd>& points)
+{
+  return Enclose(points, OfOne());
+}
+
+Sphere SmallestEnclosingSphere(const TriangleMesh& mesh)
+{
+  return SmallestEnclosingSphere(mesh, OfOne());
+}
+
 // Let c be any centre and R the distance of the farthest point. The smallest sphere, of radius r
 // about c + d, has points on the far side of c: |d|^2 + r^2 <= R^2. So with a lower bound of r,
 // half the distance of two points, |d| is bounded, and what lies nearer to c than r - |d| is
 // inside.
-Sphere SmallestEnclosingSphere(const TriangleMesh& mesh)
+Sphere SmallestEnclosingSphere(const TriangleMesh& piece, const SphereOfPieces& ofAll)
 {
   Eigen::AlignedBox3d box;
-  const auto isUsed = [&mesh](Id p) { return mesh.TrianglesAround(p).size() > 0; };
-  for (Id p = 0; p < mesh.NumberOfPoints(); ++p)
+  const auto isUsed = [&piece](Id p) { return piece.TrianglesAround(p).size() > 0; };
+  for (Id p = 0; p < piece.NumberOfPoints(); ++p)
   {
     if (isUsed(p))
     {
-      box.extend(mesh.Point(p));
+      box.extend(piece.Point(p));
     }
   }
+  const std::array<double, 6> ends = ofAll.leastOfEach(
+    { box.min()[0], box.min()[1], box.min()[2], -box.max()[0], -box.max()[1], -box.max()[2] });
+  box = Eigen::AlignedBox3d(
+    Eigen::Vector3d(ends[0], ends[1], ends[2]), Eigen::Vector3d(-ends[3], -ends[4], -ends[5]));
   if (box.isEmpty())
   {
     return {};
   }
-  const auto farthestFrom = [&mesh, &isUsed](const Eigen::Vector3d& center)
+  const auto farthestFrom = [&piece, &isUsed, &ofAll](const Eigen::Vector3d& center)
   {
-    Eigen::Vector3d farthest = center;
-    double squared = 0.0;
-    for (Id p = 0; p < mesh.NumberOfPoints(); ++p)
+    FarPoint farthest = MakeFarPoint(0.0, center);
+    for (Id p = 0; p < piece.NumberOfPoints(); ++p)
     {
-      const double other = (mesh.Point(p) - center).squaredNorm();
-      const bool isFarther =
-        other > squared || (other == squared && ComesBefore(mesh.Point(p), farthest));
-      if (isFarther && isUsed(p))
+      const double other = (piece.Point(p) - center).squaredNorm();
+      if (other >= farthest.squaredDistance && isUsed(p))
       {
-        squared = other;
-        farthest = mesh.Point(p);
+        farthest = FartherOf(farthest, MakeFarPoint(other, piece.Point(p)));
       }
     }
-    return farthest;
+    return PositionOf(ofAll.farthest(farthest));
   };
   const Eigen::Vector3d center = box.center();
   const Eigen::Vector3d end = farthestFrom(center);
@@ -168,15 +208,17 @@ Sphere SmallestEnclosingSphere(const TriangleMesh& mesh)
   const double least = std::max(0.0, (inner - shift) * (1.0 - 1e-12) - 1e-12 * outer);
 
   std::vector<Eigen::Vector3d> outermost;
-  for (Id p = 0; p < mesh.NumberOfPoints(); ++p)
+  for (Id p = 0; p < piece.NumberOfPoints(); ++p)
   {
-    if ((mesh.Point(p) - center).squaredNorm() >= least * least && isUsed(p))
+    if ((piece.Point(p) - center).squaredNorm() >= least * least && isUsed(p))
     {
-      outermost.emplace_back(mesh.Point(p));
+      outermost.emplace_back(piece.Point(p));
     }
   }
-  return SmallestEnclosingSphere(Eigen::Map<const Eigen::Matrix3Xd>(
-    outermost.front().data(), 3, static_cast<Eigen::Index>(outermost.size())));
+  return Enclose(
+    Eigen::Map<const Eigen::Matrix3Xd>(outermost.empty() ? nullptr : outermost.front().data(), 3,
+      static_cast<Eigen::Index>(outermost.size())),
+    ofAll);
 }
 
 } // namespace ridges

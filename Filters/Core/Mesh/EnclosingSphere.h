@@ -7,6 +7,9 @@
 
 #include <Eigen/Core>
 
+#include <array>
+#include <functional>
+
 namespace ridges
 {
 
@@ -25,6 +28,29 @@ Sphere SmallestEnclosingSphere(const Eigen::Ref<const Eigen::Matrix3Xd>& points)
 
 /// The same around the points that triangles have.
 Sphere SmallestEnclosingSphere(const TriangleMesh& mesh);
+
+/// A point that is far from some place; none if its distance is negative.
+struct FarPoint
+{
+  double squaredDistance = -1.0;
+  std::array<double, 3> x{};
+};
+
+/// The farther one; if they are equally far, the one that comes first by position.
+FarPoint FartherOf(const FarPoint& a, const FarPoint& b);
+
+/**
+ * How those who have the pieces of a mesh find its sphere together, each calling the function below
+ * at the same time: from one's own value that of all.
+ */
+struct SphereOfPieces
+{
+  std::function<FarPoint(const FarPoint&)> farthest; ///< By FartherOf.
+  std::function<std::array<double, 6>(const std::array<double, 6>&)> leastOfEach;
+};
+
+/// The same, to the last digit, as of the whole mesh.
+Sphere SmallestEnclosingSphere(const TriangleMesh& piece, const SphereOfPieces& ofAll);
 
 } // namespace ridges
 

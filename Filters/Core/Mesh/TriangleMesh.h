@@ -4,6 +4,7 @@
 #define ridges_TriangleMesh_h
 
 #include "Base/Buffer.h"
+#include "Mesh/MeshPart.h"
 #include "Mesh/PointRanks.h"
 #include "Mesh/Triangle.h"
 
@@ -108,6 +109,20 @@ public:
     this->Ranks_->Set(std::move(ranks));
   }
 
+  /// The larger mesh that this one is a part of; null if it is none. Kept by the caller.
+  const MeshPart* Part() const { return this->Part_; }
+  void SetPart(const MeshPart* part) { this->Part_ = part; }
+
+  /// To be called where the triangles around a point are looked at, and it is not known that this
+  /// mesh has all of them.
+  void LookAt(Id p, int numberOfRings = 1) const
+  {
+    if (this->Part_)
+    {
+      this->Part_->LookAt(p, numberOfRings);
+    }
+  }
+
   /// Whether p is an end of an edge that does not have exactly two triangles.
   bool OnBorder(Id p) const { return this->OnBorder_[p] != 0; }
 
@@ -160,6 +175,7 @@ private:
   Buffer<Id> Incident_;
   std::vector<std::uint8_t> OnBorder_;
   std::unique_ptr<PointRanks> Ranks_ = std::make_unique<PointRanks>();
+  const MeshPart* Part_ = nullptr;
 };
 
 } // namespace ridges

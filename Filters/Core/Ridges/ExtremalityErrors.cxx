@@ -88,6 +88,7 @@ void ExtremalityErrors::Judge(Id begin, Id end)
 
 bool ExtremalityErrors::IsSignificantAt(Id p)
 {
+  this->Source_.mesh.LookAt(p, 3);
   const auto own = [this](Id q)
   {
     if (const Sums* known = this->Asked_.Find(q))

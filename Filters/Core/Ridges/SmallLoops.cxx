@@ -67,6 +67,10 @@ void SmallLoops::GrowByOne(Part& part, const Fence& fence) const
 {
   const TriangleMesh& mesh = this->Crossings_.Mesh();
   const Id point = part.points[part.done++];
+  if (part.points.size() <= MostPoints)
+  {
+    mesh.LookAt(point);
+  }
   part.isSmall = part.points.size() <= MostPoints && this->IsInsignificant(point);
   for (const Id t : mesh.TrianglesAround(point))
   {

@@ -7,13 +7,18 @@
 namespace ridges
 {
 
-EdgeFaults EdgeFaultsAt(const TriangleMesh& mesh, Id p, const std::function<bool(Id)>& isCounted)
+namespace
 {
-  struct Sides
-  {
-    Id from = 0; ///< Triangles that run through the edge from p,
-    Id to = 0;   ///< and to p.
-  };
+
+struct Sides
+{
+  Id from = 0; ///< Triangles that run through the edge from p,
+  Id to = 0;   ///< and to p.
+};
+
+/// By the other end of each edge from p.
+std::map<Id, Sides> EdgesFrom(const TriangleMesh& mesh, Id p)
+{
   std::map<Id, Sides> edges;
   for (const Id t : mesh.TrianglesAround(p))
   {
@@ -22,8 +27,25 @@ EdgeFaults EdgeFaultsAt(const TriangleMesh& mesh, Id p, const std::function<bool
     ++edges[corners[(corner + 1) % 3]].from;
     ++edges[corners[(corner + 2) % 3]].to;
   }
+  return edges;
+}
+
+} // namespace
+
+Id SharedEdgesAt(const TriangleMesh& mesh, Id p)
+{
+  Id count = 0;
+  for (const auto& [q, sides] : EdgesFrom(mesh, p))
+  {
+    count += sides.from + sides.to == 2 ? 1 : 0;
+  }
+  return count;
+}
+
+EdgeFaults EdgeFaultsAt(const TriangleMesh& mesh, Id p, const std::function<bool(Id)>& isCounted)
+{
   EdgeFaults faults;
-  for (const auto& [q, sides] : edges)
+  for (const auto& [q, sides] : EdgesFrom(mesh, p))
   {
     if (isCounted(q))
     {

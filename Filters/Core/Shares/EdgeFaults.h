@@ -17,6 +17,10 @@ struct EdgeFaults
   Id inconsistent = 0; ///< Whose two triangles run through them in the same direction.
 };
 
+/// How many edges from p have exactly two triangles. Nothing but the triangles around p is looked
+/// at.
+Id SharedEdgesAt(const TriangleMesh& mesh, Id p);
+
 /// Of the edges from p to others that are counted. Nothing but the triangles around p is looked at.
 EdgeFaults EdgeFaultsAt(const TriangleMesh& mesh, Id p, const std::function<bool(Id)>& isCounted);
 

@@ -49,6 +49,10 @@ public:
   std::string Share(Ranks& ranks, const MeshPiece& piece);
 
   const SharedPoints& Points() const { return this->Points_; }
+
+  /// The points go to somebody else, and nothing else is left.
+  SharedPoints TakePoints() { return std::move(this->Points_); }
+
   Id NumberOfOwned() const { return this->Points_.NumberOfOwned(); }
 
   /// The owned points, first, and the triangles around them. There are other points, but it is not

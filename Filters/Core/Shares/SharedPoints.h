@@ -53,6 +53,12 @@ public:
   /// The numbers of the points of this rank's piece.
   const std::vector<std::int64_t>& NumbersOfPiece() const { return this->NumbersOfPiece_; }
 
+  /// Points of the piece by the rank that owns them.
+  const std::vector<std::vector<Id>>& SentTo() const { return this->SentTo_; }
+
+  /// Which owned points those are that each rank has sent.
+  const std::vector<std::vector<Id>>& ReceivedFrom() const { return this->ReceivedFrom_; }
+
   /// Rows of `width` values for the owned points become rows for the points of the piece. All
   /// ranks have to call this.
   template <typename T>

@@ -18,6 +18,24 @@ constexpr double Pi = 3.14159265358979323846;
 
 } // namespace
 
+bool DirectionsMayTurn(const MongeField& field, const Triangle& corners)
+{
+  // Two half turns need 120 degrees on some edge, of which what tame points leave open can be but
+  // a part.
+  constexpr double cosineOfTurn = 0.5;
+  bool singular = false;
+  for (int i = 0; i < 3; ++i)
+  {
+    const double cosine = field.D1(corners[i]).dot(field.D1(corners[(i + 1) % 3]));
+    if (!(std::abs(cosine) > cosineOfTurn))
+    {
+      return true;
+    }
+    singular = singular != (cosine < 0.0);
+  }
+  return singular;
+}
+
 DirectionIndex::DirectionIndex(
   const TriangleMesh& mesh, const MongeField& field, const std::uint8_t* usable)
   : Mesh_(mesh)
@@ -29,21 +47,8 @@ DirectionIndex::DirectionIndex(
 
 bool DirectionIndex::MayTurn(Id triangle, const std::vector<std::uint8_t>& isTame) const
 {
-  // Two half turns need 120 degrees on some edge, of which what tame points leave open can be but
-  // a part.
-  constexpr double cosineOfTurn = 0.5;
   const Triangle& c = this->Mesh_.Corners(triangle);
-  bool singular = false;
-  for (int i = 0; i < 3; ++i)
-  {
-    const double cosine = this->Field_.D1(c[i]).dot(this->Field_.D1(c[(i + 1) % 3]));
-    if (!(std::abs(cosine) > cosineOfTurn) || !isTame[c[i]])
-    {
-      return true;
-    }
-    singular = singular != (cosine < 0.0);
-  }
-  return singular;
+  return !isTame[c[0]] || !isTame[c[1]] || !isTame[c[2]] || DirectionsMayTurn(this->Field_, c);
 }
 
 DirectionIndex::Directions DirectionIndex::DirectionsAt(

@@ -12,6 +12,10 @@
 namespace ridges
 {
 
+/// Whether directions may turn around a triangle: not if it is regular and they turn by less than
+/// 60 degrees on each of its edges, as long as the surface does not bend much there.
+bool DirectionsMayTurn(const MongeField& field, const Triangle& corners);
+
 /**
  * The index of the principal directions around triangles: a number of half turns that, summed over
  * a closed oriented surface, is twice its Euler characteristic. Not nearly: on any mesh and with

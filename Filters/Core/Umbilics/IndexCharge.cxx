@@ -66,6 +66,10 @@ void Spread(const TriangleMesh& mesh, std::vector<IndexCharge>& charges,
       charges[found->second].halfTurns = sign;
       large.halfTurns -= 2 * sign;
     }
+    for (const Id corner : mesh.Corners(reached[i]))
+    {
+      mesh.LookAt(corner);
+    }
     for (const NeighborAcross& next : NeighborsByPosition(mesh, reached[i]))
     {
       if (reached.size() < reach && !isReached.Contains(next.triangle))

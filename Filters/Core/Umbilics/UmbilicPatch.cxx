@@ -107,6 +107,7 @@ void UmbilicPatch::Add(Id triangle)
   for (const Id corner : this->Mesh_.Corners(triangle))
   {
     this->IsCorner_[corner] = true;
+    this->Mesh_.LookAt(corner);
   }
   this->Patch_.push_back(triangle);
   for (int side = 0; side < 3; ++side)

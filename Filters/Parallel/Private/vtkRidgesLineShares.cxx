@@ -76,8 +76,8 @@ void Extract(vtkPolyData* ridges, vtkIdType begin, vtkIdType end, vtkPolyData* s
   for (vtkIdType i = begin; i < end; ++i)
   {
     ridges->GetLines()->GetCellAtId(i, corners);
-    std::transform(
-      corners->begin(), corners->end(), corners->begin(), [&newId](vtkIdType p) { return newId[p]; });
+    std::transform(corners->begin(), corners->end(), corners->begin(),
+      [&newId](vtkIdType p) { return newId[p]; });
     share->GetCellData()->CopyData(ridges->GetCellData(), i, lines->InsertNextCell(corners));
   }
   share->SetPoints(points);

@@ -10,8 +10,8 @@ class vtkMultiProcessController;
 class vtkPolyData;
 VTK_ABI_NAMESPACE_END
 
-/// Gives each rank a share of the ridges, all of which rank 0 has before; all ranks have to call it.
-/// Private to the module.
+/// Gives each rank a share of the ridges, all of which rank 0 has before; all ranks have to call
+/// it. Private to the module.
 void vtkRidgesShareLines(vtkMultiProcessController* controller, vtkPolyData* ridges);
 
 #endif
