@@ -107,30 +107,35 @@ template <typename T>
 std::vector<T> ExchangeRows(Ranks& ranks, const T* values, int width,
   const std::vector<std::vector<Id>>& asked, const std::vector<std::vector<Id>>& places)
 {
-  const auto rowAt = [width](Id row) { return static_cast<std::size_t>(width) * row; };
-  std::vector<std::vector<T>> replies(asked.size());
+  // From the values into the messages, and from these into the result, as rows may be much.
+  const std::size_t size = sizeof(T) * width;
+  std::vector<Bytes> messages(asked.size());
   for (std::size_t rank = 0; rank < asked.size(); ++rank)
   {
-    replies[rank].reserve(asked[rank].size() * width);
+    messages[rank].resize(size * asked[rank].size());
+    char* to = messages[rank].data();
     for (const Id row : asked[rank])
     {
-      const T* from = values + rowAt(row);
-      replies[rank].insert(replies[rank].end(), from, from + width);
+      std::memcpy(to, values + static_cast<std::size_t>(width) * row, size);
+      to += size;
     }
   }
-  const std::vector<std::vector<T>> received = ExchangeValues(ranks, std::move(replies));
+  messages = ranks.Exchange(std::move(messages));
   std::size_t numberOfRows = 0;
   for (const std::vector<Id>& from : places)
   {
     numberOfRows += from.size();
   }
   std::vector<T> rows(numberOfRows * width);
-  for (std::size_t rank = 0; rank < received.size(); ++rank)
+  for (std::size_t rank = 0; rank < messages.size(); ++rank)
   {
-    for (std::size_t i = 0; i < places[rank].size(); ++i)
+    const char* from = messages[rank].data();
+    for (const Id place : places[rank])
     {
-      std::copy_n(received[rank].data() + i * width, width, rows.data() + rowAt(places[rank][i]));
+      std::memcpy(rows.data() + static_cast<std::size_t>(width) * place, from, size);
+      from += size;
     }
+    messages[rank] = Bytes();
   }
   return rows;
 }

@@ -3,6 +3,8 @@
 #ifndef ridges_Ranks_h
 #define ridges_Ranks_h
 
+#include <memory>
+#include <new>
 #include <string>
 #include <utility>
 #include <vector>
@@ -10,7 +12,30 @@
 namespace ridges
 {
 
-using Bytes = std::vector<char>;
+/// Leaves new values as they are in memory: what is received or copied is written once.
+template <typename T>
+struct UnsetAllocator : std::allocator<T>
+{
+  template <typename Other>
+  struct rebind
+  {
+    using other = UnsetAllocator<Other>;
+  };
+
+  template <typename U>
+  void construct(U* place)
+  {
+    ::new (static_cast<void*>(place)) U;
+  }
+  template <typename U, typename First, typename... Others>
+  void construct(U* place, First&& first, Others&&... others)
+  {
+    ::new (static_cast<void*>(place))
+      U(std::forward<First>(first), std::forward<Others>(others)...);
+  }
+};
+
+using Bytes = std::vector<char, UnsetAllocator<char>>;
 
 /**
  * The processes that work on one mesh together, and how they talk: whoever calls the numerics lends
