@@ -234,9 +234,18 @@ bool vtkRidgesGathering::Choose(ridges::Ranks& ranks, vtkAlgorithm* filter, cons
       arrays.GetField(), arrays.GetErrors(), extent.significance, mesh.NumberOfPoints());
     const auto levelOf = [this](int rings)
     { return static_cast<std::uint8_t>(this->HighestLevel - rings); };
+    // Along borders it takes all fits that are one-sided to know what their ridges mean.
+    const std::vector<std::uint8_t> isFlagged = arrays.FlaggedPoints();
+    const auto contentOf = [&contents, &isFlagged](const ridges::Triangle& corners)
+    {
+      const bool any = !isFlagged.empty() &&
+        std::any_of(
+          corners.begin(), corners.end(), [&isFlagged](Id p) { return isFlagged[p] != 0; });
+      return any ? ridges::TriangleContent::Umbilic : contents.At(corners);
+    };
     for (const ridges::Triangle& corners : mesh.Triangles())
     {
-      const ridges::TriangleContent content = contents.At(corners);
+      const ridges::TriangleContent content = contentOf(corners);
       if (content != ridges::TriangleContent::Nothing)
       {
         const std::uint8_t level =

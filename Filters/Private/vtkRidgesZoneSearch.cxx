@@ -4,6 +4,7 @@
 
 #include "Core/Mesh/PositionOrder.h"
 #include "Core/Ridges/ExtremalityProbe.h"
+#include "Core/Ridges/ZoneDoubt.h"
 #include "vtkRidgesBatches.h"
 #include "vtkRidgesMongeInput.h"
 #include "vtkRidgesPerThread.h"
@@ -94,7 +95,10 @@ bool vtkRidgesZoneSearch::Run(vtkAlgorithm* filter, double from, double to,
   if (const ridges::MeshPart* part = this->Monge.mesh.GetTriangles().Part())
   {
     // Whether a zone is one depends on how much of the mesh it is.
-    part->Want(ridges::MeshPart::Wants::All);
+    if (!this->AreOutside(whole))
+    {
+      part->Want(ridges::MeshPart::Wants::All);
+    }
     return true;
   }
   if (!this->JudgePoints(filter, from, to))
@@ -121,26 +125,38 @@ bool vtkRidgesZoneSearch::Run(vtkAlgorithm* filter, double from, double to,
   return true;
 }
 
-/// Whether each ridge passes a place, of a few, where the extremality is significant: then it lies
-/// in no zone.
-bool vtkRidgesZoneSearch::AreAllClear(const std::vector<ridges::Ridge>& whole)
+/// Whether a ridge passes a place, of a few, where the extremality is significant: then it lies in
+/// no zone.
+bool vtkRidgesZoneSearch::IsClear(const ridges::Ridge& ridge)
 {
   constexpr std::size_t places = 5;
-  return std::all_of(whole.begin(), whole.end(),
-    [this](const ridges::Ridge& ridge)
+  const std::vector<ridges::Id>& nodes = ridge.nodes;
+  for (std::size_t i = 0; i < places; ++i)
+  {
+    const ridges::Id node = nodes[nodes.size() * (2 * i + 1) / (2 * places)];
+    if (!ridges::Ridge::IsUmbilic(node) &&
+      this->Errors.VerdictAt(this->Monge.mesh.GetTriangles().EdgeAt(node).v0) ==
+        ridges::ExtremalityErrors::Verdict::Significant)
     {
-      const std::vector<ridges::Id>& nodes = ridge.nodes;
-      for (std::size_t i = 0; i < places; ++i)
-      {
-        const ridges::Id node = nodes[nodes.size() * (2 * i + 1) / (2 * places)];
-        if (!ridges::Ridge::IsUmbilic(node) &&
-          this->Errors.IsSignificantAt(this->Monge.mesh.GetTriangles().EdgeAt(node).v0))
-        {
-          return true;
-        }
-      }
-      return false;
-    });
+      return true;
+    }
+  }
+  return false;
+}
+
+bool vtkRidgesZoneSearch::AreAllClear(const std::vector<ridges::Ridge>& whole)
+{
+  return std::all_of(whole.begin(), whole.end(),
+    [this](const ridges::Ridge& ridge) { return this->IsClear(ridge); });
+}
+
+/// The same on a part of a mesh, from more places.
+bool vtkRidgesZoneSearch::AreOutside(const std::vector<ridges::Ridge>& whole)
+{
+  ridges::ZoneDoubt doubt(this->Monge.mesh.GetTriangles(), this->Errors);
+  return std::all_of(whole.begin(), whole.end(),
+    [this, &doubt](const ridges::Ridge& ridge)
+    { return this->IsClear(ridge) || doubt.IsOutside(ridge); });
 }
 
 bool vtkRidgesZoneSearch::JudgePoints(vtkAlgorithm* filter, double from, double to)

@@ -48,7 +48,9 @@ public:
     std::vector<ridges::Ridge>& whole, vtkRidgesZones& zones);
 
 private:
+  bool IsClear(const ridges::Ridge& ridge);
   bool AreAllClear(const std::vector<ridges::Ridge>& whole);
+  bool AreOutside(const std::vector<ridges::Ridge>& whole);
   bool JudgePoints(vtkAlgorithm* filter, double from, double to);
   bool RemoveResolved(ridges::RidgeZones& zones, const std::vector<std::size_t>& regions) const;
   bool ShowsOnLargerScale(

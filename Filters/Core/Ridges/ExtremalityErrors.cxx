@@ -61,7 +61,6 @@ void ExtremalityErrors::Sum(Id begin, Id end)
 
 void ExtremalityErrors::Judge(Id begin, Id end)
 {
-  const std::vector<std::uint8_t>& isFlagged = this->Source_.isFlagged;
   for (Id p = begin; p < end; ++p)
   {
     Verdict& verdict = this->Verdicts_[p];
@@ -71,8 +70,7 @@ void ExtremalityErrors::Judge(Id begin, Id end)
     }
     else if (this->Own_[p].squaredError == NotKnown)
     {
-      const bool isBad = !isFlagged.empty() && isFlagged[p] == FlaggedAsWrong;
-      verdict = isBad ? Verdict::Unresolved : Verdict::Unknown;
+      verdict = this->IsBad(p) ? Verdict::Unresolved : Verdict::Unknown;
     }
     else if (this->IsUnresolved(p))
     {
@@ -86,7 +84,18 @@ void ExtremalityErrors::Judge(Id begin, Id end)
   }
 }
 
-bool ExtremalityErrors::IsSignificantAt(Id p)
+ExtremalityErrors::Verdict ExtremalityErrors::VerdictAt(Id p)
+{
+  if (const Verdict* known = this->Told_.Find(p))
+  {
+    return *known;
+  }
+  const Verdict verdict = this->FindVerdict(p);
+  this->Told_[p] = verdict;
+  return verdict;
+}
+
+ExtremalityErrors::Verdict ExtremalityErrors::FindVerdict(Id p)
 {
   this->Source_.mesh.LookAt(p, 3);
   const auto own = [this](Id q)
@@ -97,8 +106,26 @@ bool ExtremalityErrors::IsSignificantAt(Id p)
     }
     return this->Asked_[q] = this->At(q);
   };
-  return !this->IsRoundOff(p) && own(p).squaredError != NotKnown && !this->IsUnresolved(p) &&
-    this->IsSignificant(this->OverRing(p, [this, &own](Id q) { return this->OverRing(q, own); }));
+  if (this->IsRoundOff(p))
+  {
+    return Verdict::RoundOff;
+  }
+  if (own(p).squaredError == NotKnown)
+  {
+    return this->IsBad(p) ? Verdict::Unresolved : Verdict::Unknown;
+  }
+  if (this->IsUnresolved(p))
+  {
+    return Verdict::Unresolved;
+  }
+  const Sums sums = this->OverRing(p, [this, &own](Id q) { return this->OverRing(q, own); });
+  return this->IsSignificant(sums) ? Verdict::Significant : Verdict::Insignificant;
+}
+
+bool ExtremalityErrors::IsBad(Id p) const
+{
+  const std::vector<std::uint8_t>& isFlagged = this->Source_.isFlagged;
+  return !isFlagged.empty() && isFlagged[p] == FlaggedAsWrong;
 }
 
 bool ExtremalityErrors::IsSignificant(const Sums& sums) const

@@ -65,8 +65,8 @@ public:
 
   const std::vector<Verdict>& Verdicts() const { return this->Verdicts_; }
 
-  /// Before Begin: the same as the verdict. Not for several threads at the same time.
-  bool IsSignificantAt(Id p);
+  /// Before Begin: the verdict on a point. Not for several threads at the same time.
+  Verdict VerdictAt(Id p);
 
 private:
   struct Sums
@@ -86,6 +86,7 @@ private:
   Surroundings LookAround(Id p) const;
   double RadiusAt(Id p) const;
   double GainAt(Id p) const;
+  bool IsBad(Id p) const;
   bool IsUnresolved(Id p) const;
   bool IsRoundOff(Id p) const;
   double RoundingError(Id p, double radius) const;
@@ -98,7 +99,10 @@ private:
   Color Color_;
   double Significance_;
   double Rounding_;
-  IdTable<Sums> Asked_;     ///< Of points that IsSignificantAt needed.
+  Verdict FindVerdict(Id p);
+
+  IdTable<Sums> Asked_;     ///< Of points that VerdictAt needed.
+  IdTable<Verdict> Told_;   ///< By VerdictAt.
   std::vector<Sums> Own_;   ///< Per point.
   std::vector<Sums> Rings_; ///< Per point, over its ring.
   std::vector<Verdict> Verdicts_;

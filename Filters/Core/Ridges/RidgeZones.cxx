@@ -17,9 +17,6 @@ using Verdict = ExtremalityErrors::Verdict;
 
 constexpr Id NoRegion = -1;
 
-/// Of points at which the extremality is round-off a few are enough.
-constexpr std::size_t LeastRoundOff = 8;
-
 template <typename Visit>
 void ForNeighbors(const TriangleMesh& mesh, Id p, const Visit& visit)
 {

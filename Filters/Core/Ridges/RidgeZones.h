@@ -32,6 +32,9 @@ public:
   static constexpr std::size_t LeastPointsOfWhole = 20;
   static constexpr double LeastShare = 0.25;
 
+  /// Of points at which the extremality is round-off a few are enough.
+  static constexpr std::size_t LeastRoundOff = 8;
+
   RidgeZones(const TriangleMesh& mesh, const std::vector<ExtremalityErrors::Verdict>& verdicts);
 
   /// The points of each region; none of one that was removed.

@@ -99,10 +99,10 @@ TEST(ExtremalityErrors, NoiseDecidesByFitResiduals)
   SetByHand mesh;
   mesh.SetSlope(0.5);
   EXPECT_EQ(mesh.Verdicts()[Center], Verdict::Significant);
-  EXPECT_TRUE(mesh.Errors().IsSignificantAt(Center));
+  EXPECT_EQ(mesh.Errors().VerdictAt(Center), Verdict::Significant);
   mesh.SetSlope(0.1);
   EXPECT_EQ(mesh.Verdicts()[Center], Verdict::Insignificant);
-  EXPECT_FALSE(mesh.Errors().IsSignificantAt(Center));
+  EXPECT_NE(mesh.Errors().VerdictAt(Center), Verdict::Significant);
   // The other colour has nothing.
   EXPECT_EQ(mesh.Verdicts(Color::Red)[Center], Verdict::RoundOff);
 }
@@ -151,7 +151,7 @@ TEST(ExtremalityErrors, WithoutFitsOnlyRoundingCounts)
   const MongeField view = mesh.field.View();
   ExtremalityErrors errors(
     { mesh.surface.Triangles(), view, FitErrorSource(), mesh.isFlagged }, Color::Blue, 3.0);
-  EXPECT_TRUE(errors.IsSignificantAt(Center));
+  EXPECT_EQ(errors.VerdictAt(Center), Verdict::Significant);
 }
 
 //------------------------------------------------------------------------------
