@@ -490,7 +490,7 @@ void vtkRidgesGathering::GiveBack(ridges::Ranks& ranks, vtkPolyData* part, vtkPo
   const ridges::TriangleMesh& mesh = this->Piece.GetTriangles();
   const auto add = [output](vtkDataArray* like)
   {
-    const auto array = vtkRidgesMakeArrayLike(like);
+    auto array = vtkRidgesMakeArrayLike(like);
     array->SetNumberOfTuples(output->GetNumberOfCells());
     array->Fill(-1.0);
     output->GetCellData()->AddArray(array);

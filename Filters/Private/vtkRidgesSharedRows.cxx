@@ -27,7 +27,7 @@ vtkSmartPointer<vtkDataArray> WithRows(vtkDataArray* array, const Rows& rowsOf)
   }
   const int width = typed->GetNumberOfComponents();
   const auto rows = rowsOf(typed->GetPointer(0), width);
-  const auto result = vtkRidgesMakeArrayLike(typed);
+  auto result = vtkRidgesMakeArrayLike(typed);
   result->SetNumberOfTuples(static_cast<vtkIdType>(rows.size()) / width);
   std::copy(rows.begin(), rows.end(), Array::SafeDownCast(result)->GetPointer(0));
   return result;

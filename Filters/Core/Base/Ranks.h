@@ -13,6 +13,7 @@ namespace ridges
 {
 
 /// Leaves new values as they are in memory: what is received or copied is written once.
+// NOLINTBEGIN(readability-identifier-naming): the names are those of the standard library.
 template <typename T>
 struct UnsetAllocator : std::allocator<T>
 {
@@ -34,6 +35,7 @@ struct UnsetAllocator : std::allocator<T>
       U(std::forward<First>(first), std::forward<Others>(others)...);
   }
 };
+// NOLINTEND(readability-identifier-naming)
 
 using Bytes = std::vector<char, UnsetAllocator<char>>;
 
