@@ -9,6 +9,7 @@
 #include "vtkRidgesArrayMessages.h"
 #include "vtkRidgesArrayNames.h"
 #include "vtkRidgesFieldData.h"
+#include "vtkRidgesGatheredRows.h"
 #include "vtkRidgesMakeArray.h"
 #include "vtkRidgesMongeArrays.h"
 
@@ -16,9 +17,7 @@
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
-#include "vtkDataSetAttributes.h"
 #include "vtkDoubleArray.h"
-#include "vtkIdList.h"
 #include "vtkIdTypeArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
@@ -28,7 +27,6 @@
 #include <algorithm>
 #include <limits>
 #include <numeric>
-#include <string>
 #include <utility>
 
 namespace names = vtkRidgesArrayNames;
@@ -52,69 +50,6 @@ bool LacksFit(vtkPolyData* piece, const ridges::TriangleMesh& mesh)
     }
   }
   return false;
-}
-
-vtkSmartPointer<vtkDataArray> SomeRows(vtkDataArray* array, const std::vector<Id>& rows)
-{
-  if (static_cast<vtkIdType>(rows.size()) == array->GetNumberOfTuples())
-  {
-    return array;
-  }
-  vtkNew<vtkIdList> ids;
-  ids->SetNumberOfIds(static_cast<vtkIdType>(rows.size()));
-  std::copy(rows.begin(), rows.end(), ids->begin());
-  auto some = vtkRidgesMakeArrayLike(array);
-  some->SetNumberOfTuples(ids->GetNumberOfIds());
-  array->GetTuples(ids, some);
-  return some;
-}
-
-/// The coordinates first, then the arrays of the points.
-void PackPoints(ridges::Bytes& message, vtkPolyData* piece, const std::vector<Id>& points)
-{
-  vtkNew<vtkFieldData> coordinates;
-  vtkNew<vtkFieldData> rows;
-  if (!points.empty())
-  {
-    coordinates->AddArray(SomeRows(piece->GetPoints()->GetData(), points));
-    vtkPointData* values = piece->GetPointData();
-    for (int i = 0; i < values->GetNumberOfArrays(); ++i)
-    {
-      vtkDataArray* array = values->GetArray(i);
-      if (array && array->GetName() &&
-        std::string(array->GetName()) != vtkDataSetAttributes::GhostArrayName())
-      {
-        rows->AddArray(SomeRows(array, points));
-      }
-    }
-  }
-  vtkRidgesPackArrays(message, coordinates);
-  vtkRidgesPackArrays(message, rows);
-}
-
-/// Rows of one rank into the arrays of all, which the first that has any makes.
-void PutRows(vtkFieldData* from, const std::vector<vtkIdType>& places, vtkIdType count,
-  bool areCoordinates, vtkFieldData* to)
-{
-  vtkNew<vtkIdList> sources;
-  vtkNew<vtkIdList> targets;
-  sources->SetNumberOfIds(static_cast<vtkIdType>(places.size()));
-  targets->SetNumberOfIds(sources->GetNumberOfIds());
-  std::iota(sources->begin(), sources->end(), 0);
-  std::copy(places.begin(), places.end(), targets->begin());
-  for (int i = 0; i < from->GetNumberOfArrays(); ++i)
-  {
-    vtkDataArray* part = from->GetArray(i);
-    const auto arrayOf = [part, to, areCoordinates]
-    { return areCoordinates ? to->GetArray(0) : to->GetArray(part->GetName()); };
-    if (!arrayOf())
-    {
-      const auto array = vtkRidgesMakeArrayLike(part);
-      array->SetNumberOfTuples(count);
-      to->AddArray(array);
-    }
-    arrayOf()->InsertTuples(targets, sources, part);
-  }
 }
 
 /// A copy of an array of ids, with others.
@@ -416,7 +351,7 @@ void vtkRidgesGathering::GatherPoints(
   ridges::Ranks& ranks, const std::vector<Id>& points, vtkPolyData* part)
 {
   std::vector<ridges::Bytes> messages(ranks.Size());
-  PackPoints(messages[0], this->Piece.GetPolyData(), points);
+  vtkRidgesPackPoints(messages[0], this->Piece.GetPolyData(), points);
   messages = ranks.Exchange(std::move(messages));
   if (!part)
   {
@@ -432,7 +367,7 @@ void vtkRidgesGathering::GatherPoints(
     {
       vtkNew<vtkFieldData> from;
       vtkRidgesTakeArrays(message, from);
-      PutRows(from, this->PointsFrom[rank], count, all == coordinates.GetPointer(), all);
+      vtkRidgesPutRows(from, this->PointsFrom[rank], count, all == coordinates.GetPointer(), all);
     }
     messages[rank] = {};
   }
