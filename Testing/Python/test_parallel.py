@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Ridges on several ranks of MPI, which mpirun starts."""
 
+import os
 import unittest
 
 from vtkmodules.vtkCommonCore import vtkIdList
@@ -12,6 +13,7 @@ import vtkridges
 from vtkridges.parallel import use_mpi, vtkPRidgesAndUmbilics
 
 CONTROLLER = use_mpi()
+BY_MPIRUN = "OMPI_COMM_WORLD_SIZE" in os.environ or "PMI_SIZE" in os.environ
 
 
 def ellipsoid():
@@ -39,6 +41,7 @@ def piece(mesh, rank, ranks):
 
 
 class TestParallel(unittest.TestCase):
+    @unittest.skipUnless(BY_MPIRUN, "not started by mpirun")
     def test_the_ranks_are_those_of_mpi(self):
         self.assertEqual(vtkPRidgesAndUmbilics().GetController(), CONTROLLER)
         self.assertGreater(CONTROLLER.GetNumberOfProcesses(), 1)
