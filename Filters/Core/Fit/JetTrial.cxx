@@ -113,6 +113,18 @@ double NeighborCorrelation(const std::vector<JetRemains>& remains)
   return square > 0.0 && variance > 0.0 ? product / square - covariance / variance : 0.0;
 }
 
+Eigen::Vector3d JetProbe::NormalAt(Id point)
+{
+  if (this->Mesh_.TrianglesAround(point).size() <= OrderedRings::LargestFan)
+  {
+    return this->Mesh_.PointNormal(point);
+  }
+  const auto found = this->NormalsOfLargeFans_.find(point);
+  return found != this->NormalsOfLargeFans_.end()
+    ? found->second
+    : this->NormalsOfLargeFans_.emplace(point, this->Mesh_.PointNormal(point)).first->second;
+}
+
 /// Over a plane along which the area around the vertex lies.
 bool JetProbe::SetHeights(Id vertex, int numberOfRings)
 {
@@ -125,7 +137,7 @@ bool JetProbe::SetHeights(Id vertex, int numberOfRings)
   Eigen::Vector3d axis = Eigen::Vector3d::Zero();
   for (Id i = 0; i < std::min(points.size(), fewest); ++i)
   {
-    axis += this->Mesh_.PointNormal(points[i]);
+    axis += this->NormalAt(points[i]);
   }
   if (points.size() < fewest || !(axis.norm() > 0.0))
   {

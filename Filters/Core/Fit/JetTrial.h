@@ -9,6 +9,7 @@
 #include <Eigen/Core>
 
 #include <array>
+#include <unordered_map>
 #include <vector>
 
 namespace ridges
@@ -85,6 +86,7 @@ public:
   JetRemains RemainsOf(Id vertex, int numberOfRings, int degree);
 
 private:
+  Eigen::Vector3d NormalAt(Id point);
   bool SetHeights(Id vertex, int numberOfRings);
   bool IsSteep() const;
   void TurnToPrincipalAxes();
@@ -93,6 +95,7 @@ private:
 
   const TriangleMesh& Mesh_;
   RingNeighborhood Neighborhood_;
+  std::unordered_map<Id, Eigen::Vector3d> NormalsOfLargeFans_; ///< Beside many of the vertices.
   double Radius_ = 0.0;
   bool IsSteep_ = false;
   Eigen::Matrix3Xd Local_;  ///< Offsets over the plane, in units of the extents and the radius.
