@@ -4,6 +4,8 @@
 
 #include "Console.h"
 
+#include <algorithm>
+#include <cctype>
 #include <filesystem>
 #include <fstream>
 
@@ -22,6 +24,14 @@ void CheckIsFile(const std::string& fileName, const std::string& wanted)
   {
     throw Failure(fileName + " is a directory", wanted);
   }
+}
+
+std::string ExtensionOf(const std::string& fileName)
+{
+  std::string extension = std::filesystem::path(fileName).extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return extension;
 }
 
 std::string ReadBytes(const std::string& fileName)

@@ -12,22 +12,10 @@
 #include "Reading/StlReader.h"
 #include "Reading/XmlVtkReader.h"
 
-#include <algorithm>
-#include <cctype>
-#include <filesystem>
-
 namespace program
 {
 namespace
 {
-
-std::string ExtensionOf(const std::string& fileName)
-{
-  std::string extension = std::filesystem::path(fileName).extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return extension;
-}
 
 MeshFile ParseByExtension(const std::string& bytes, const std::string& fileName)
 {

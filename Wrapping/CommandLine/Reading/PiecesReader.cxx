@@ -11,8 +11,6 @@
 #include "vtkXMLDataElement.h"
 #include "vtkXMLUtilities.h"
 
-#include <algorithm>
-#include <cctype>
 #include <filesystem>
 
 namespace program
@@ -36,10 +34,7 @@ bool IsEmpty(const std::string& bytes)
 
 bool IsOfPieces(const std::string& fileName)
 {
-  std::string extension = fs::path(fileName).extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-    [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return extension == ".pvtp";
+  return ExtensionOf(fileName) == ".pvtp";
 }
 
 std::vector<std::string> PiecesOf(const std::string& fileName)
