@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRidgesAndUmbilics.h"
 
-#include "Core/Base/RankMessages.h"
+#include "Core/Base/RankGathering.h"
 #include "vtkRidgeSharpnessFilter.h"
 #include "vtkRidgesArrayNames.h"
 #include "vtkRidgesCompatibility.h"

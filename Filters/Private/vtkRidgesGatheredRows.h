@@ -3,7 +3,8 @@
 #ifndef vtkRidgesGatheredRows_h
 #define vtkRidgesGatheredRows_h
 
-#include "Core/Base/RankMessages.h"
+#include "Core/Base/Ranks.h"
+#include "Core/Base/Types.h"
 #include "vtkRidgesCompatibility.h"
 
 #include "vtkType.h"

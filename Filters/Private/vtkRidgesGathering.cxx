@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRidgesGathering.h"
 
+#include "Core/Base/RankGathering.h"
 #include "Core/Fit/JetFit.h"
 #include "Core/Mesh/CoordinateRounding.h"
 #include "Core/Shares/PieceWalks.h"

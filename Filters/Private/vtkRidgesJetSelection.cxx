@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRidgesJetSelection.h"
 
+#include "Core/Base/RankGathering.h"
 #include "Core/Mesh/ShapeSample.h"
 #include "vtkRidgesArrayNames.h"
 #include "vtkRidgesBatches.h"

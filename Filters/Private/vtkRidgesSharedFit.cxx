@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRidgesSharedFit.h"
 
-#include "Core/Base/RankMessages.h"
+#include "Core/Base/RankGathering.h"
 #include "Core/Shares/EdgeFaults.h"
 #include "Core/Shares/SharedMesh.h"
 #include "Core/Shares/SharedSurface.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRidgesSharedInput.h"
 
-#include "Core/Base/RankMessages.h"
+#include "Core/Base/RankGathering.h"
 
 #include "vtkCellData.h"
 #include "vtkDataArray.h"

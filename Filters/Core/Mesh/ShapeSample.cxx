@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Mesh/ShapeSample.h"
 
-#include "Base/RankMessages.h"
+#include "Base/RankGathering.h"
 #include "Mesh/PositionHash.h"
 
 #include <algorithm>

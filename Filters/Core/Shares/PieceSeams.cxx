@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Shares/PieceSeams.h"
 
+#include "Base/RankGathering.h"
+
 namespace ridges
 {
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Shares/PieceWalks.h"
 
+#include "Base/RankGathering.h"
 #include "Mesh/BorderStrip.h"
 
 #include <limits>

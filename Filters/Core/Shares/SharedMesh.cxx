@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Shares/SharedMesh.h"
 
+#include "Base/RankGathering.h"
+
 #include <algorithm>
 #include <iterator>
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Shares/SharedPoints.h"
 
+#include "Base/RankGathering.h"
 #include "Mesh/PositionHash.h"
 #include "Shares/PositionBisection.h"
 

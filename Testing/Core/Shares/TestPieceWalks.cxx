@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What ranks find by walking over their pieces, against the whole mesh: no tolerance.
 
+#include "Base/RankGathering.h"
 #include "Fixtures/TestFields.h"
 #include "Mesh/BorderStrip.h"
 #include "Shares/PieceWalks.h"
