@@ -11,7 +11,6 @@
 #include "vtkRidgesExactForms.h"
 #include "vtkRidgesFieldData.h"
 #include "vtkRidgesImage.h"
-#include "vtkRidgesMakeArray.h"
 #include "vtkRidgesMesh.h"
 #include "vtkRidgesRangeLoop.h"
 #include "vtkRidgesRequest.h"
@@ -96,10 +95,9 @@ int vtkImageMongeForm::RequestData(
   }
   if (output->GetPoints())
   {
-    auto array = vtkRidgesMakeArray<vtkDoubleArray>(names::ImageNoise);
-    array->InsertNextValue(noise);
-    vtkRidgesOwnFieldData(output)->AddArray(array);
-    vtkRidgesImage::StoreSigma(sigma, output);
+    vtkFieldData* field = vtkRidgesOwnFieldData(output);
+    vtkRidgesAddFieldValue<vtkDoubleArray>(field, names::ImageNoise, noise);
+    vtkRidgesAddFieldValue<vtkDoubleArray>(field, names::ImageSigma, sigma);
   }
   return 1;
 }

@@ -5,11 +5,14 @@
 #include "Core/Formula/ExactSurface.h"
 #include "Core/Formula/InterpolatedImage.h"
 #include "Core/Formula/SmoothedImage.h"
+#include "vtkRidgesArrayNames.h"
 #include "vtkRidgesEvenMesh.h"
+#include "vtkRidgesFieldData.h"
 #include "vtkRidgesImage.h"
 #include "vtkRidgesRangeLoop.h"
 #include "vtkRidgesRequest.h"
 
+#include "vtkDoubleArray.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -139,7 +142,8 @@ int vtkImageSurfaceMesh::RequestData(
   mesh.Warn(this, "The image ends before");
   vtkPolyData* output = vtkPolyData::GetData(outputVector);
   mesh.Store(output);
-  vtkRidgesImage::StoreSigma(sigma, output);
+  vtkRidgesAddFieldValue<vtkDoubleArray>(
+    vtkRidgesOwnFieldData(output), vtkRidgesArrayNames::ImageSigma, sigma);
   return 1;
 }
 

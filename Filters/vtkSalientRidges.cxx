@@ -74,14 +74,6 @@ constexpr double NoiseInAngle = 0.6;
 constexpr double LeastAngleOverNoise = 7.0;
 constexpr double LeastWeakAngleOverNoise = 4.2;
 
-void SetFieldValue(vtkPolyData* data, const char* name, double value)
-{
-  vtkNew<vtkDoubleArray> array;
-  array->SetName(name);
-  array->InsertNextValue(value);
-  vtkRidgesOwnFieldData(data)->AddArray(array);
-}
-
 } // namespace
 
 /// The stages, and what runs them.
@@ -410,8 +402,10 @@ int vtkSalientRidges::RequestData(
   mesh->ShallowCopy(marked);
   vtkPolyData::GetData(outputVector, UMBILICS)
     ->ShallowCopy(stages.umbilics->GetOutputDataObject(1));
-  SetFieldValue(mesh, names::NoiseFloor, floor);
-  SetFieldValue(output, names::NoiseFloor, floor);
+  for (vtkPolyData* data : { mesh, output })
+  {
+    vtkRidgesAddFieldValue<vtkDoubleArray>(vtkRidgesOwnFieldData(data), names::NoiseFloor, floor);
+  }
   return 1;
 }
 

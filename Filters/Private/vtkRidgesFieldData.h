@@ -17,4 +17,14 @@ inline vtkFieldData* vtkRidgesOwnFieldData(vtkPolyData* output)
   return output->GetFieldData();
 }
 
+/// Adds an array of one value, in the place of one of this name.
+template <typename Array, typename Value>
+void vtkRidgesAddFieldValue(vtkFieldData* field, const char* name, const Value& value)
+{
+  vtkNew<Array> array;
+  array->SetName(name);
+  array->InsertNextValue(value);
+  field->AddArray(array);
+}
+
 #endif

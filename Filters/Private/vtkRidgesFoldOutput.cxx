@@ -45,10 +45,8 @@ void vtkRidgesFoldOutput::StoreNoiseFloor(vtkPolyData* output) const
   vtkDataArray* given = this->Monge.mesh.GetPolyData()->GetFieldData()->GetArray(names::NoiseFloor);
   const bool hasFloor =
     given && given->GetNumberOfTuples() == 1 && given->GetNumberOfComponents() == 1;
-  vtkNew<vtkDoubleArray> floor;
-  floor->SetName(names::NoiseFloor);
-  floor->InsertNextValue(hasFloor ? given->GetComponent(0, 0)
-                                  : ridges::MedianCurvatureError(this->Monge.mesh.GetTriangles(),
-                                      this->Monge.arrays.GetErrors()));
-  vtkRidgesOwnFieldData(output)->AddArray(floor);
+  const double floor = hasFloor
+    ? given->GetComponent(0, 0)
+    : ridges::MedianCurvatureError(this->Monge.mesh.GetTriangles(), this->Monge.arrays.GetErrors());
+  vtkRidgesAddFieldValue<vtkDoubleArray>(vtkRidgesOwnFieldData(output), names::NoiseFloor, floor);
 }

@@ -4,11 +4,8 @@
 
 #include "Core/Fit/ImageScale.h"
 #include "vtkRidgesArrayNames.h"
-#include "vtkRidgesFieldData.h"
-#include "vtkRidgesMakeArray.h"
 
 #include "vtkDataArray.h"
-#include "vtkDoubleArray.h"
 #include "vtkFieldData.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
@@ -112,13 +109,6 @@ double vtkRidgesImage::SigmaOf(
   constexpr double samples = 1.5;
   return ridges::ChooseImageScale(
     this->Grid, isoValue, samples * this->Grid.spacing.maxCoeff(), loop);
-}
-
-void vtkRidgesImage::StoreSigma(double sigma, vtkPolyData* mesh)
-{
-  auto array = vtkRidgesMakeArray<vtkDoubleArray>(vtkRidgesArrayNames::ImageSigma);
-  array->InsertNextValue(sigma);
-  vtkRidgesOwnFieldData(mesh)->AddArray(array);
 }
 
 void vtkRidgesImage::RequestWhole(vtkInformation* image)

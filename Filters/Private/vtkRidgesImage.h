@@ -33,9 +33,6 @@ public:
   double SigmaOf(
     double property, double isoValue, vtkPolyData* mesh, const ridges::RangeLoop& loop) const;
 
-  /// Says in a mesh which one it was.
-  static void StoreSigma(double sigma, vtkPolyData* mesh);
-
   /// Asks for all of an image, whatever a filter behind may need of it.
   static void RequestWhole(vtkInformation* image);
 

@@ -73,15 +73,6 @@ struct LookAtRemains
   }
 };
 
-template <typename Array, typename Value>
-void AddOne(vtkFieldData* field, const char* name, Value value)
-{
-  vtkNew<Array> array;
-  array->SetName(name);
-  array->InsertNextValue(value);
-  field->AddArray(array);
-}
-
 /// For a person, in one line.
 std::string TextOf(const ridges::JetChoice& choice)
 {
@@ -265,11 +256,12 @@ void vtkRidgesStoreJetChoice(vtkPolyData* mesh, const ridges::JetChoice* choice)
   }
   if (choice)
   {
-    AddOne<vtkIntArray>(field, names::SelectedDegree, choice->degree);
-    AddOne<vtkIntArray>(field, names::SelectedNumberOfRings, choice->numberOfRings);
-    AddOne<vtkIntArray>(field, names::SelectedNumberOfAverages, choice->numberOfAverages);
-    AddOne<vtkDoubleArray>(field, names::EstimatedNoise, choice->noise);
-    AddOne<vtkDoubleArray>(field, names::NoiseCorrelation, choice->correlation);
-    AddOne<vtkStringArray>(field, names::SelectedFit, TextOf(*choice));
+    vtkRidgesAddFieldValue<vtkIntArray>(field, names::SelectedDegree, choice->degree);
+    vtkRidgesAddFieldValue<vtkIntArray>(field, names::SelectedNumberOfRings, choice->numberOfRings);
+    vtkRidgesAddFieldValue<vtkIntArray>(
+      field, names::SelectedNumberOfAverages, choice->numberOfAverages);
+    vtkRidgesAddFieldValue<vtkDoubleArray>(field, names::EstimatedNoise, choice->noise);
+    vtkRidgesAddFieldValue<vtkDoubleArray>(field, names::NoiseCorrelation, choice->correlation);
+    vtkRidgesAddFieldValue<vtkStringArray>(field, names::SelectedFit, TextOf(*choice));
   }
 }

@@ -47,10 +47,8 @@ void vtkRidgesZoneOutput::MarkOnMesh(const vtkRidgesMesh& mesh, vtkPolyData* out
 
 void vtkRidgesZoneOutput::StoreNumber(vtkPolyData* output) const
 {
-  vtkNew<vtkIntArray> number;
-  number->SetName(names::NumberOfRidgeZones);
-  number->InsertNextValue(static_cast<int>(this->NumberOfZones()));
-  vtkRidgesOwnFieldData(output)->AddArray(number);
+  vtkRidgesAddFieldValue<vtkIntArray>(vtkRidgesOwnFieldData(output), names::NumberOfRidgeZones,
+    static_cast<int>(this->NumberOfZones()));
 }
 
 std::size_t vtkRidgesZoneOutput::NumberOfZones() const
