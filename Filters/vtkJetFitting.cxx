@@ -17,12 +17,15 @@
 #include "vtkRidgesMongeOutput.h"
 #include "vtkRidgesRequest.h"
 #include "vtkRidgesSharedFit.h"
+#include "vtkRidgesStreamedFit.h"
 #include "vtkRidgesUmbilicMarks.h"
 
 #include "vtkInformation.h"
+#include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPolyData.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <algorithm>
 #include <string>
@@ -40,6 +43,15 @@ static_assert(static_cast<int>(vtkJetFitting::FIT_BOUNDARY) == ridges::FitBounda
 
 namespace
 {
+
+using Pipeline = vtkStreamingDemandDrivenPipeline;
+
+/// Whether one rank is asked for one of several pieces, and the filter is one for ranks.
+bool IsStreamed(const ridges::Ranks* ranks, vtkInformationVector* outputVector)
+{
+  return ranks && ranks->Size() == 1 &&
+    outputVector->GetInformationObject(0)->Get(Pipeline::UPDATE_NUMBER_OF_PIECES()) > 1;
+}
 
 struct BuildRings
 {
@@ -73,20 +85,74 @@ const char* vtkJetFitting::GetWeightingAsString() const
   return this->Weighting == GAUSSIAN ? "Gaussian" : "Uniform";
 }
 
+vtkJetFitting::~vtkJetFitting()
+{
+  delete this->Stream;
+}
+
 int vtkJetFitting::RequestUpdateExtent(
   vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
 {
+  if (IsStreamed(this->GetRanks(), outputVector))
+  {
+    vtkInformation* output = outputVector->GetInformationObject(0);
+    const int pieces = output->Get(Pipeline::UPDATE_NUMBER_OF_PIECES());
+    const int piece = output->Get(Pipeline::UPDATE_PIECE_NUMBER());
+    if (!this->Stream || !this->Stream->IsOf(this, pieces))
+    {
+      delete this->Stream;
+      // The one that is wanted comes last.
+      this->Stream = new vtkRidgesStreamedFit(this, pieces, (piece + 1) % pieces);
+    }
+    this->Stream->AskFor(inputVector[0], piece);
+  }
   // Ranks that share the mesh get what they need from each other.
-  if (!ridges::AreSeveral(this->GetRanks()))
+  else if (!ridges::AreSeveral(this->GetRanks()))
   {
     vtkRidgesRequestGhostLevels(inputVector[0], vtkRidgesGhostLevelsOf(this));
   }
   return this->Superclass::RequestUpdateExtent(request, inputVector, outputVector);
 }
 
-int vtkJetFitting::RequestData(
-  vtkInformation*, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+/// Of the input all pieces are taken first.
+int vtkJetFitting::RequestPiece(
+  vtkInformation* request, vtkInformationVector* inputVector, vtkInformationVector* outputVector)
 {
+  vtkPolyData* input = vtkRidgesGetPolyData(this, inputVector);
+  if (!input)
+  {
+    return 0;
+  }
+  std::string fault = vtkRidgesFitSettingsFault(this);
+  if (fault.empty() && !this->Stream->IsComplete())
+  {
+    fault = this->Stream->Take(input);
+    fault = fault.empty() ? fault : "The mesh cannot be used: " + fault;
+    if (fault.empty() && !this->Stream->IsComplete())
+    {
+      request->Set(Pipeline::CONTINUE_EXECUTING(), 1);
+      return 1;
+    }
+  }
+  request->Remove(Pipeline::CONTINUE_EXECUTING());
+  if (!fault.empty())
+  {
+    delete this->Stream;
+    this->Stream = nullptr;
+    vtkErrorMacro(<< fault << ".");
+    return 0;
+  }
+  const int piece = outputVector->GetInformationObject(0)->Get(Pipeline::UPDATE_PIECE_NUMBER());
+  return this->Stream->FitPiece(this, piece, input, vtkPolyData::GetData(outputVector));
+}
+
+int vtkJetFitting::RequestData(
+  vtkInformation* request, vtkInformationVector** inputVector, vtkInformationVector* outputVector)
+{
+  if (IsStreamed(this->GetRanks(), outputVector))
+  {
+    return this->RequestPiece(request, inputVector[0], outputVector);
+  }
   ridges::Ranks* ranks = this->GetRanks();
   if (ridges::AreSeveral(ranks))
   {

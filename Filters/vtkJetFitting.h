@@ -83,7 +83,6 @@ public:
     UNIFORM = 0,
     GAUSSIAN = 1
   };
-
   /// Bits of FitStatus.
   enum FitStatusBits
   {
@@ -175,15 +174,13 @@ public:
 
 protected:
   vtkJetFitting() = default;
-  ~vtkJetFitting() override = default;
+  ~vtkJetFitting() override;
   int RequestUpdateExtent(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   /// Who has the other pieces of the mesh; null: the input is all there is.
   virtual ridges::Ranks* GetRanks() { return nullptr; }
-
   /// Where to keep what they know of the whole mesh after the fit; null: nowhere.
   virtual ridges::SharedSurface* GetSurface() { return nullptr; }
-
   int Degree = 0;
   int MongeOrder = 4;
   int Neighborhood = AUTOMATIC;
@@ -196,6 +193,8 @@ protected:
 private:
   vtkJetFitting(const vtkJetFitting&) = delete;
   void operator=(const vtkJetFitting&) = delete;
+  int RequestPiece(vtkInformation*, vtkInformationVector*, vtkInformationVector*);
+  vtkRidgesStreamedFit* Stream = nullptr;
 };
 VTK_ABI_NAMESPACE_END
 

@@ -152,10 +152,16 @@ protected:
   /// Who has the other pieces of the mesh; null: the input is all there is.
   virtual ridges::Ranks* GetRanks() { return nullptr; }
 
+  /// In how many pieces one rank asks for its input, one after the other.
+  virtual int GetNumberOfStreamedPieces() { return 1; }
+
 private:
   vtkRidgesAndUmbilics(const vtkRidgesAndUmbilics&) = delete;
   void operator=(const vtkRidgesAndUmbilics&) = delete;
 
+  bool IsStreamed();
+  int RequestPieces(vtkInformation*, vtkInformationVector*, vtkInformationVector*);
+  int FindInPieces(vtkInformationVector*);
   int RequestSharedData(ridges::Ranks&, vtkInformationVector**, vtkInformationVector*);
 
   class vtkInternals;

@@ -15,6 +15,7 @@ class MeshPart;
 class Ranks;
 struct SharedSurface;
 }
+class vtkRidgesStreamedFit; // of pieces that one rank asks for, one after the other
 
 #endif
 // VTK-HeaderTest-Exclude: vtkRidgesRanks.h

@@ -71,4 +71,5 @@ void vtkPRidgesAndUmbilics::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Controller: " << this->Controller << "\n";
   os << indent << "DistributeLines: " << (this->DistributeLines ? "On" : "Off") << "\n";
+  os << indent << "NumberOfPieces: " << this->NumberOfPieces << "\n";
 }

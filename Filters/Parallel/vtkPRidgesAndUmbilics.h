@@ -62,6 +62,19 @@ public:
   vtkBooleanMacro(DistributeLines, bool);
   ///@}
 
+  ///@{
+  /**
+   * On one rank: in how many pieces the input is asked for, one after the other, at least 1. For a
+   * mesh whose fits are too much for the memory: of each piece positions and triangles are kept,
+   * about 85 bytes per point, and fits only where an umbilic or a ridge may be. The output is that
+   * of one piece, but that port 2 is this part of the mesh, without the arrays of the input.
+   * Whatever has changed, all pieces are asked for again. What makes the pieces has to be able to:
+   * a reader of .pvtp is. Default 1: fits are made once.
+   */
+  vtkSetClampMacro(NumberOfPieces, int, 1, VTK_INT_MAX);
+  vtkGetMacro(NumberOfPieces, int);
+  ///@}
+
 protected:
   vtkPRidgesAndUmbilics();
   ~vtkPRidgesAndUmbilics() override;
@@ -70,6 +83,7 @@ protected:
   vtkExecutive* CreateDefaultExecutive() override;
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
   ridges::Ranks* GetRanks() override;
+  int GetNumberOfStreamedPieces() override { return this->NumberOfPieces; }
 
 private:
   vtkPRidgesAndUmbilics(const vtkPRidgesAndUmbilics&) = delete;
@@ -77,6 +91,7 @@ private:
 
   vtkMultiProcessController* Controller = nullptr;
   bool DistributeLines = false;
+  int NumberOfPieces = 1;
   ridges::Ranks* const Ranks;
 };
 VTK_ABI_NAMESPACE_END

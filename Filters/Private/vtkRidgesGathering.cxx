@@ -94,6 +94,7 @@ void vtkRidgesGathering::Take(
   this->Piece.Build(
     piece, {}, ridges::TriangleMesh::Edges::NotBuilt, vtkRidgesMesh::Duplicates::LeftOut);
   const ridges::TriangleMesh& mesh = this->Piece.GetTriangles();
+  this->Mesh = &mesh;
   this->PointIds = ridges::NumbersByPieces(ranks, surface.points);
   this->Seams = ridges::PieceSeams(ranks, surface.points);
   this->First = { 0 };
@@ -102,25 +103,33 @@ void vtkRidgesGathering::Take(
     this->First.push_back(this->First.back() + count);
   }
   // Coincident points are told apart by what lies around them, and without a fit there are holes.
-  this->MayBePart_ = !surface.hasCoincident && !ridges::IsAnywhere(ranks, LacksFit(piece, mesh));
-  if (this->MayBePart_)
+  this->PartMayDo = !surface.hasCoincident && !ridges::IsAnywhere(ranks, LacksFit(piece, mesh));
+  if (this->PartMayDo)
   {
-    this->EulerCharacteristic = surface.eulerCharacteristic;
-    this->IsClosed = surface.isClosed;
-    this->EnclosingRadius = ridges::EnclosingRadiusOfPieces(ranks, mesh);
-    const std::vector<double> roundings =
-      ridges::GatherAllOne(ranks, ridges::CoordinateRounding(mesh));
-    this->CoordinateRounding = *std::min_element(roundings.begin(), roundings.end());
-    this->BorderStrip.clear();
-    if (!surface.isClosed)
-    {
-      auto* scale = vtkDoubleArray::SafeDownCast(piece->GetPointData()->GetArray(names::FitScale));
-      this->BorderStrip = ridges::BorderStripOfPiece(ranks, mesh, this->Seams,
-        surface.points.ToPiece(ranks, surface.onBorder.data(), 1),
-        scale ? scale->GetPointer(0) : nullptr);
-    }
+    auto* scale = vtkDoubleArray::SafeDownCast(piece->GetPointData()->GetArray(names::FitScale));
+    this->Know(ranks, surface,
+      surface.isClosed ? std::vector<std::uint8_t>()
+                       : surface.points.ToPiece(ranks, surface.onBorder.data(), 1),
+      scale ? scale->GetPointer(0) : nullptr);
   }
   surface = ridges::SharedSurface();
+}
+
+void vtkRidgesGathering::Know(ridges::Ranks& ranks, const ridges::SharedSurface& surface,
+  const std::vector<std::uint8_t>& onBorder, const double* radii)
+{
+  this->EulerCharacteristic = surface.eulerCharacteristic;
+  this->IsClosed = surface.isClosed;
+  this->EnclosingRadius = ridges::EnclosingRadiusOfPieces(ranks, *this->Mesh);
+  const std::vector<double> roundings =
+    ridges::GatherAllOne(ranks, ridges::CoordinateRounding(*this->Mesh));
+  this->CoordinateRounding = *std::min_element(roundings.begin(), roundings.end());
+  this->BorderStrip.clear();
+  if (!surface.isClosed)
+  {
+    this->BorderStrip =
+      ridges::BorderStripOfPiece(ranks, *this->Mesh, this->Seams, onBorder, radii);
+  }
 }
 
 vtkSmartPointer<vtkPolyData> vtkRidgesGathering::Gather(
@@ -150,50 +159,71 @@ vtkSmartPointer<vtkPolyData> vtkRidgesGathering::Gather(
   this->GatherPoints(ranks, points, part);
   if (part)
   {
-    part->GetFieldData()->ShallowCopy(this->Piece.GetPolyData()->GetFieldData());
+    this->AddFieldData(part);
   }
   return part;
+}
+
+void vtkRidgesGathering::AddFieldData(vtkPolyData* part)
+{
+  part->GetFieldData()->ShallowCopy(this->Piece.GetPolyData()->GetFieldData());
+}
+
+vtkRidgesGathering::Contents vtkRidgesGathering::ContentsOf(
+  vtkAlgorithm* filter, const Extent& extent)
+{
+  return this->ContentsOf(filter, this->Piece.GetPolyData(), this->Mesh->Triangles(), extent);
+}
+
+vtkRidgesGathering::Contents vtkRidgesGathering::ContentsOf(vtkAlgorithm* filter, vtkPolyData* data,
+  ridges::Span<ridges::Triangle> triangles, const Extent& extent)
+{
+  const auto count = static_cast<Id>(data->GetNumberOfPoints());
+  Contents atPoints(count, ridges::TriangleContent::Nothing);
+  if (triangles.size() == 0)
+  {
+    return atPoints;
+  }
+  vtkRidgesMongeArrays arrays;
+  arrays.Fetch(filter, data, false);
+  const ridges::TriangleContents contents(
+    arrays.GetField(), arrays.GetErrors(), extent.significance, count);
+  // Along borders it takes all fits that are one-sided to know what their ridges mean.
+  const std::vector<std::uint8_t> isFlagged = arrays.FlaggedPoints();
+  const auto contentOf = [&contents, &isFlagged](const ridges::Triangle& corners)
+  {
+    const bool any = !isFlagged.empty() &&
+      std::any_of(corners.begin(), corners.end(), [&isFlagged](Id p) { return isFlagged[p] != 0; });
+    return any ? ridges::TriangleContent::Umbilic : contents.At(corners);
+  };
+  for (const ridges::Triangle& corners : triangles)
+  {
+    const ridges::TriangleContent content = contentOf(corners);
+    for (const Id p : corners)
+    {
+      atPoints[p] = std::max(atPoints[p], content);
+    }
+  }
+  return atPoints;
 }
 
 /// The triangles of the piece. False if they are nearly all.
 bool vtkRidgesGathering::Choose(ridges::Ranks& ranks, vtkAlgorithm* filter, const Extent& extent)
 {
-  const ridges::TriangleMesh& mesh = this->Piece.GetTriangles();
+  const ridges::TriangleMesh& mesh = *this->Mesh;
   this->Triangles.clear();
   this->HighestLevel = std::max(extent.ringsOfUmbilics, extent.ringsOfRidges);
-  this->Levels.assign(mesh.NumberOfPoints(), Beyond);
-  if (mesh.NumberOfTriangles() > 0)
+  const auto levelOf = [this, &extent](ridges::TriangleContent content)
   {
-    vtkRidgesMongeArrays arrays;
-    arrays.Fetch(filter, this->Piece.GetPolyData(), false);
-    const ridges::TriangleContents contents(
-      arrays.GetField(), arrays.GetErrors(), extent.significance, mesh.NumberOfPoints());
-    const auto levelOf = [this](int rings)
-    { return static_cast<std::uint8_t>(this->HighestLevel - rings); };
-    // Along borders it takes all fits that are one-sided to know what their ridges mean.
-    const std::vector<std::uint8_t> isFlagged = arrays.FlaggedPoints();
-    const auto contentOf = [&contents, &isFlagged](const ridges::Triangle& corners)
-    {
-      const bool any = !isFlagged.empty() &&
-        std::any_of(
-          corners.begin(), corners.end(), [&isFlagged](Id p) { return isFlagged[p] != 0; });
-      return any ? ridges::TriangleContent::Umbilic : contents.At(corners);
-    };
-    for (const ridges::Triangle& corners : mesh.Triangles())
-    {
-      const ridges::TriangleContent content = contentOf(corners);
-      if (content != ridges::TriangleContent::Nothing)
-      {
-        const std::uint8_t level =
-          levelOf(content == ridges::TriangleContent::Ridge ? extent.ringsOfRidges
-                                                            : extent.ringsOfUmbilics);
-        for (const Id p : corners)
-        {
-          this->Levels[p] = std::min(this->Levels[p], level);
-        }
-      }
-    }
-  }
+    const int rings =
+      content == ridges::TriangleContent::Ridge ? extent.ringsOfRidges : extent.ringsOfUmbilics;
+    return content == ridges::TriangleContent::Nothing
+      ? Beyond
+      : static_cast<std::uint8_t>(this->HighestLevel - rings);
+  };
+  const Contents contents = this->ContentsOf(filter, extent);
+  this->Levels.resize(contents.size());
+  std::transform(contents.begin(), contents.end(), this->Levels.begin(), levelOf);
   const auto highest = static_cast<std::uint8_t>(this->HighestLevel);
   ridges::SpreadLevels(ranks, mesh, this->Seams, highest, this->Levels);
   // What is saved has to be worth the trouble.
@@ -214,14 +244,14 @@ bool vtkRidgesGathering::Choose(ridges::Ranks& ranks, vtkAlgorithm* filter, cons
 void vtkRidgesGathering::ChooseAll()
 {
   this->Levels.clear();
-  this->Triangles.resize(this->Piece.GetTriangles().NumberOfTriangles());
+  this->Triangles.resize(this->Mesh->NumberOfTriangles());
   std::iota(this->Triangles.begin(), this->Triangles.end(), 0);
 }
 
 /// Those of the chosen triangles or, with all triangles, all.
 std::vector<Id> vtkRidgesGathering::ChosenPoints() const
 {
-  const ridges::TriangleMesh& mesh = this->Piece.GetTriangles();
+  const ridges::TriangleMesh& mesh = *this->Mesh;
   const bool isAll = static_cast<Id>(this->Triangles.size()) == mesh.NumberOfTriangles();
   std::vector<std::uint8_t> isChosen(mesh.NumberOfPoints(), isAll ? 1 : 0);
   for (const Id t : this->Triangles)
@@ -255,14 +285,14 @@ vtkIdType vtkRidgesGathering::IdInPart(std::int64_t number) const
 void vtkRidgesGathering::GatherTriangles(
   ridges::Ranks& ranks, const std::vector<Id>& points, vtkPolyData* part)
 {
-  const ridges::TriangleMesh& mesh = this->Piece.GetTriangles();
+  const ridges::TriangleMesh& mesh = *this->Mesh;
   std::vector<std::int64_t> pointIds;
   std::vector<std::int64_t> corners;
   std::vector<std::uint8_t> rings;
   std::vector<std::uint8_t> strip;
   for (const Id p : points)
   {
-    pointIds.push_back(this->PointIds[p]);
+    pointIds.push_back(this->NumberOf(p));
     if (!this->Levels.empty())
     {
       rings.push_back(static_cast<std::uint8_t>(
@@ -277,7 +307,7 @@ void vtkRidgesGathering::GatherTriangles(
   {
     for (const Id p : mesh.Corners(t))
     {
-      corners.push_back(this->PointIds[p]);
+      corners.push_back(this->NumberOf(p));
     }
   }
   std::vector<ridges::Bytes> messages(ranks.Size());
@@ -352,7 +382,7 @@ void vtkRidgesGathering::GatherPoints(
   ridges::Ranks& ranks, const std::vector<Id>& points, vtkPolyData* part)
 {
   std::vector<ridges::Bytes> messages(ranks.Size());
-  vtkRidgesPackPoints(messages[0], this->Piece.GetPolyData(), points);
+  this->PackPoints(messages[0], points);
   messages = ranks.Exchange(std::move(messages));
   if (!part)
   {
@@ -384,6 +414,11 @@ void vtkRidgesGathering::GatherPoints(
   {
     part->GetPointData()->AddArray(rows->GetArray(k));
   }
+}
+
+void vtkRidgesGathering::PackPoints(ridges::Bytes& message, const std::vector<Id>& points)
+{
+  vtkRidgesPackPoints(message, this->Piece.GetPolyData(), points);
 }
 
 void vtkRidgesGathering::NumberPoints(vtkFieldData* data, const char* name) const

@@ -6,6 +6,7 @@
 #include "Core/Mesh/MeshPart.h"
 #include "Core/Shares/PieceSeams.h"
 #include "Core/Shares/SharedSurface.h"
+#include "Core/Umbilics/TriangleContent.h"
 #include "vtkRidgesMesh.h"
 
 #include "vtkSmartPointer.h"
@@ -31,6 +32,11 @@ VTK_ABI_NAMESPACE_END
 class vtkRidgesGathering
 {
 public:
+  vtkRidgesGathering() = default;
+  virtual ~vtkRidgesGathering() = default;
+  vtkRidgesGathering(const vtkRidgesGathering&) = delete;
+  void operator=(const vtkRidgesGathering&) = delete;
+
   /// How much of the mesh.
   struct Extent
   {
@@ -48,7 +54,7 @@ public:
   void Take(ridges::Ranks& ranks, vtkPolyData* piece, ridges::SharedSurface& surface);
 
   /// Whether a part may do: some of what is rare takes the whole mesh.
-  bool MayBePart() const { return this->MayBePart_; }
+  bool MayBePart() const { return this->PartMayDo; }
 
   /// On rank 0 the part, with the arrays of its points, and the field data of its own piece;
   /// elsewhere null. The arrays to look at are those that the filter reads.
@@ -66,6 +72,32 @@ public:
   void NumberPoints(vtkFieldData* data, const char* name) const;
   void NumberTriangles(vtkFieldData* data, const char* name) const;
 
+protected:
+  using Contents = std::vector<ridges::TriangleContent>;
+
+  /// Takes what is known of the whole surface, if a part may do. `radii` may be null.
+  void Know(ridges::Ranks& ranks, const ridges::SharedSurface& surface,
+    const std::vector<std::uint8_t>& onBorder, const double* radii);
+
+  /// The most that may be in any triangle at each point of the piece.
+  virtual Contents ContentsOf(vtkAlgorithm* filter, const Extent& extent);
+
+  /// The same by the arrays of a mesh.
+  static Contents ContentsOf(vtkAlgorithm* filter, vtkPolyData* data,
+    ridges::Span<ridges::Triangle> triangles, const Extent& extent);
+
+  /// Some points of the piece: see vtkRidgesPackPoints.
+  virtual void PackPoints(ridges::Bytes& message, const std::vector<ridges::Id>& points);
+
+  virtual void AddFieldData(vtkPolyData* part);
+
+  const std::vector<std::int64_t>& GetPointsOfPart() const { return this->PointsOfPart; }
+  const std::vector<std::int64_t>& GetTrianglesOfPart() const { return this->TrianglesOfPart; }
+
+  const ridges::TriangleMesh* Mesh = nullptr; ///< The triangles of the piece.
+  std::vector<std::int64_t> First;            ///< Triangle of each rank, and how many there are.
+  bool PartMayDo = true;
+
 private:
   bool Choose(ridges::Ranks& ranks, vtkAlgorithm* filter, const Extent& extent);
   void ChooseAll();
@@ -75,12 +107,16 @@ private:
   void GatherPoints(ridges::Ranks& ranks, const std::vector<ridges::Id>& points, vtkPolyData* part);
   vtkIdType IdInPart(std::int64_t number) const;
 
+  /// The id of a point of the piece.
+  std::int64_t NumberOf(ridges::Id p) const
+  {
+    return this->PointIds.empty() ? p : this->PointIds[p];
+  }
+
   vtkRidgesMesh Piece;
   ridges::PieceSeams Seams;
-  std::vector<std::int64_t> PointIds;    ///< Of the points of the piece.
-  std::vector<std::int64_t> First;       ///< Triangle of each rank, and how many there are.
+  std::vector<std::int64_t> PointIds;    ///< Of the points of the piece; empty: their numbers.
   std::vector<std::uint8_t> BorderStrip; ///< Of the piece.
-  bool MayBePart_ = true;
   bool IsClosed = true;
   std::int64_t EulerCharacteristic = 0;
   double EnclosingRadius = 0.0;

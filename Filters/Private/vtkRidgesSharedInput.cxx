@@ -43,13 +43,6 @@ std::string Describe(const char* kind, vtkDataSetAttributes* data)
   return all;
 }
 
-std::string DescribeArrays(vtkPolyData* piece)
-{
-  const std::string points = Describe("points", piece->GetPointData());
-  const std::string cells = Describe("cells", piece->GetCellData());
-  return points + (points.empty() || cells.empty() ? "" : ", ") + cells;
-}
-
 /// What two ranks have that is not the same; empty if all have the same. Those without any say do
 /// not count.
 std::string Difference(ridges::Ranks& ranks, const std::string& text, bool hasSay, const char* what)
@@ -114,8 +107,15 @@ bool vtkRidgesAgree(vtkAlgorithm* filter, ridges::Ranks& ranks, vtkPolyData* pie
   std::string difference = Difference(ranks, properties, true, "the properties of the filter");
   if (difference.empty())
   {
-    difference =
-      Difference(ranks, DescribeArrays(piece), piece->GetNumberOfPoints() > 0, "the arrays");
+    difference = Difference(
+      ranks, vtkRidgesDescribeArrays(piece), piece->GetNumberOfPoints() > 0, "the arrays");
   }
   return vtkRidgesAgree(filter, ranks, difference);
+}
+
+std::string vtkRidgesDescribeArrays(vtkPolyData* piece)
+{
+  const std::string points = Describe("points", piece->GetPointData());
+  const std::string cells = Describe("cells", piece->GetCellData());
+  return points + (points.empty() || cells.empty() ? "" : ", ") + cells;
 }

@@ -29,4 +29,8 @@ bool vtkRidgesAgree(vtkAlgorithm* filter, ridges::Ranks& ranks, vtkPolyData* pie
 /// The same without a piece.
 bool vtkRidgesAgree(vtkAlgorithm* filter, ridges::Ranks& ranks, const std::string& faults);
 
+/// The names and types of the arrays of a piece, in one text; empty if it has none. Any rank may
+/// call this alone.
+std::string vtkRidgesDescribeArrays(vtkPolyData* piece);
+
 #endif

@@ -11,6 +11,8 @@
 #include "vtkPointData.h"
 
 #include <algorithm>
+#include <cstddef>
+#include <type_traits>
 #include <vector>
 
 namespace
@@ -64,4 +66,20 @@ void vtkRidgesRowsOfShare(
 {
   ForArrays(owned, values,
     [&ranks, &share](const auto* rows, int width) { return share.Rows(ranks, rows, width); });
+}
+
+void vtkRidgesPickRows(vtkPointData* values, const std::vector<ridges::Id>& rows, vtkPointData* to)
+{
+  ForArrays(values, to,
+    [&rows](const auto* from, int width)
+    {
+      std::vector<std::decay_t<decltype(*from)>> picked;
+      picked.reserve(rows.size() * width);
+      for (const ridges::Id row : rows)
+      {
+        const auto* first = from + static_cast<std::size_t>(width) * row;
+        picked.insert(picked.end(), first, first + width);
+      }
+      return picked;
+    });
 }

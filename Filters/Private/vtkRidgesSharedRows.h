@@ -6,6 +6,8 @@
 #include "Core/Shares/SharedMesh.h"
 #include "vtkRidgesCompatibility.h"
 
+#include <vector>
+
 VTK_ABI_NAMESPACE_BEGIN
 class vtkPointData;
 VTK_ABI_NAMESPACE_END
@@ -21,5 +23,8 @@ void vtkRidgesRowsOfPiece(ridges::Ranks& ranks, const ridges::SharedPoints& poin
 /// Of the points of each rank's share.
 void vtkRidgesRowsOfShare(
   ridges::Ranks& ranks, const ridges::MeshShare& share, vtkPointData* owned, vtkPointData* values);
+
+/// The same for rows that are all on this rank.
+void vtkRidgesPickRows(vtkPointData* values, const std::vector<ridges::Id>& rows, vtkPointData* to);
 
 #endif

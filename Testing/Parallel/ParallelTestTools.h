@@ -10,7 +10,9 @@
 
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
+#include "vtkType.h"
 
+#include <cstdint>
 #include <functional>
 #include <string>
 #include <vector>
@@ -41,6 +43,23 @@ RankPiece PieceOfRank(const Mesh& mesh, Partition partition);
 /// `actual`, or that is not there; empty if there is none.
 std::string FirstOtherRow(
   vtkFieldData* expected, vtkFieldData* actual, const std::vector<std::int32_t>& ids);
+
+/// All ids below a number.
+std::vector<std::int32_t> AllOf(vtkIdType count);
+
+/// A shallow copy without some arrays of points and field data.
+vtkSmartPointer<vtkPolyData> Without(vtkPolyData* data, const std::vector<const char*>& arrayNames);
+
+/// That ridges are the same, byte for byte, but for ids of points, which have these names.
+void ExpectTheSameLines(
+  vtkPolyData* expected, vtkPolyData* actual, const std::vector<vtkIdType>& pointNames);
+
+/// That umbilics are, but for ids of triangles.
+void ExpectTheSameUmbilics(
+  vtkPolyData* expected, vtkPolyData* actual, const std::vector<vtkIdType>& cellNames);
+
+/// A message without what VTK puts before the text.
+std::string Bare(const std::string& message);
 
 /// Meshes that are small, but of all kinds.
 struct NamedMesh

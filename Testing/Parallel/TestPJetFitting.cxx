@@ -25,13 +25,6 @@ namespace
 
 using Properties = std::function<void(vtkJetFitting*)>;
 
-/// Without what VTK puts before the text.
-std::string Bare(const std::string& message)
-{
-  const std::size_t end = message.find("): ");
-  return end == std::string::npos ? message : message.substr(end + 3);
-}
-
 struct Expected
 {
   vtkSmartPointer<vtkPolyData> data;

@@ -30,7 +30,7 @@ OF_RANKS = {
 }
 
 # Properties that only those have.
-ONLY_ON_RANKS = {"SetDistributeLines"}
+ONLY_ON_RANKS = {"SetDistributeLines", "SetNumberOfPieces"}
 
 
 def elements():

@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <tuple>
 
@@ -22,7 +23,6 @@ constexpr double Steps = 0x1p35;
 
 /// How finely distances are told apart: far more coarsely than they are rounded.
 constexpr double StepsOfDistance = 0x1p17;
-constexpr std::uint64_t NotOnSurface = ~std::uint64_t(0);
 
 bool IsOnSurface(const TriangleMesh& mesh, Id p)
 {
@@ -101,8 +101,8 @@ Bounds BoundsOf(const Points& points)
   return own;
 }
 
-/// The distance of each point from the centroid over its mean, in steps. Empty if there is none.
-std::vector<std::uint64_t> StepsFromCentroid(const Points& points)
+/// The distance of a point from the centroid over its mean, in steps. Empty if there is none.
+std::function<std::uint64_t(Id)> StepsFromCentroid(const Points& points)
 {
   const Bounds bounds = BoundsOf(points);
   const Eigen::Vector3d least(bounds.least[0], bounds.least[1], bounds.least[2]);
@@ -119,18 +119,11 @@ std::vector<std::uint64_t> StepsFromCentroid(const Points& points)
     centroid[i] =
       Mean(points, extent, [&mesh, &least, i](Id p) { return mesh.Point(p)[i] - least[i]; });
   }
-  const auto distance = [&mesh, &least, &centroid](Id p)
+  const auto distance = [&mesh, least, centroid](Id p)
   { return (mesh.Point(p) - least - centroid).norm(); };
   const double mean = Mean(points, 2.0 * extent, distance);
-  std::vector<std::uint64_t> steps;
-  steps.reserve(static_cast<std::size_t>(points.count));
-  for (Id p = 0; p < points.count; ++p)
-  {
-    steps.push_back(IsOnSurface(mesh, p)
-        ? static_cast<std::uint64_t>(distance(p) / mean * StepsOfDistance)
-        : NotOnSurface);
-  }
-  return steps;
+  return [distance, mean](Id p)
+  { return static_cast<std::uint64_t>(distance(p) / mean * StepsOfDistance); };
 }
 
 } // namespace
@@ -142,17 +135,20 @@ std::vector<DrawnPoint> ShapeSample(const TriangleMesh& mesh, Id count, double w
     return PositionSample(mesh, count, wanted, ranks);
   }
   const Points points{ mesh, count, ranks, CountOnSurface(mesh, count, ranks) };
-  const std::vector<std::uint64_t> steps = StepsFromCentroid(points);
+  const auto stepsOf = StepsFromCentroid(points);
   const double part = wanted / static_cast<double>(points.onSurface);
   std::vector<DrawnPoint> own;
-  for (std::size_t p = 0; p < steps.size(); ++p)
+  for (Id p = 0; stepsOf && p < count; ++p)
   {
-    const std::uint64_t hash = MixedBits(steps[p]);
-    if (steps[p] != NotOnSurface && static_cast<double>(hash) < part * 0x1p64)
+    if (!IsOnSurface(mesh, p))
     {
-      const auto id = static_cast<Id>(p);
-      const auto x = mesh.Point(id);
-      own.push_back({ hash, { x[0], x[1], x[2] }, ranks.Rank(), id });
+      continue;
+    }
+    const std::uint64_t hash = MixedBits(stepsOf(p));
+    if (static_cast<double>(hash) < part * 0x1p64)
+    {
+      const auto x = mesh.Point(p);
+      own.push_back({ hash, { x[0], x[1], x[2] }, ranks.Rank(), p });
     }
   }
   const std::vector<DrawnPoint> chosen = GatherInOneRow(ranks, own,

@@ -62,6 +62,25 @@ std::string SharedMesh::Share(Ranks& ranks, const MeshPiece& piece)
   return {};
 }
 
+void SharedMesh::TakeWhole(MergedPieces& pieces, const RangeLoop& loop)
+{
+  this->Release();
+  this->Rank_ = 0;
+  this->NumberOfTriangles_ = static_cast<std::int64_t>(pieces.Triangles().size());
+  this->Points_.TakeWhole(std::move(pieces.Positions()), std::move(pieces.Coincident()));
+  this->Around_ = TriangleMesh(this->Points_.Owned().data(), this->NumberOfOwned(),
+    std::move(pieces.Triangles()), TriangleMesh::Edges::NotBuilt, loop);
+  this->RanksAtPlace_.clear();
+  for (const Id p : this->Points_.Coincident())
+  {
+    const std::uint64_t rank = this->Around_.RankAtPlace(p);
+    if (rank != 0)
+    {
+      this->RanksAtPlace_.emplace_back(p, rank);
+    }
+  }
+}
+
 /// Each triangle of the piece goes to the owners of its corners.
 void SharedMesh::SendTriangles(Ranks& ranks, const MeshPiece& piece)
 {
@@ -344,14 +363,13 @@ MeshShare::MeshShare(Ranks& ranks, SharedMesh& shared, std::vector<Id> points, i
   : NumberOfInner_(static_cast<Id>(points.size()))
   , Owners_(shared.Points())
 {
-  const std::vector<Id> triangles = Spread(ranks, shared, points, rings);
   std::vector<Id> ownId(shared.NumberOfPoints(), -1);
+  const std::vector<Id> triangles = Spread(ranks, shared, points, ownId, rings);
   this->Positions_.reserve(3 * points.size());
   this->Numbers_.reserve(points.size());
   std::vector<std::pair<Id, std::uint64_t>> ranksAtPlace;
   for (std::size_t p = 0; p < points.size(); ++p)
   {
-    ownId[points[p]] = static_cast<Id>(p);
     const double* x = shared.Position(points[p]);
     this->Positions_.insert(this->Positions_.end(), x, x + 3);
     const std::int64_t number = shared.NumberOf(points[p]);
@@ -374,16 +392,28 @@ MeshShare::MeshShare(Ranks& ranks, SharedMesh& shared, std::vector<Id> points, i
   this->Mesh_.SetRanksAtPlace(std::move(ranksAtPlace));
 }
 
-/// Ring after ring: appends the points of each, and gives the triangles around all but the last.
-std::vector<Id> MeshShare::Spread(
-  Ranks& ranks, SharedMesh& shared, std::vector<Id>& points, int rings)
+std::vector<Id> MeshShare::Owned() const
 {
-  std::vector<std::uint8_t> isPoint(shared.NumberOfPoints(), 0);
-  std::vector<std::uint8_t> isTriangle;
-  std::vector<Id> triangles;
-  for (const Id p : points)
+  std::vector<Id> owned;
+  owned.reserve(this->Numbers_.size());
+  for (const std::int64_t number : this->Numbers_)
   {
-    isPoint[p] = 1;
+    const int owner = this->Owners_.OwnerOf(number);
+    owned.push_back(static_cast<Id>(number - this->Owners_.First(owner)));
+  }
+  return owned;
+}
+
+/// Ring after ring: appends the points of each, and gives the triangles around all but the last.
+/// `ownId` has the places of the points, or -1.
+std::vector<Id> MeshShare::Spread(
+  Ranks& ranks, SharedMesh& shared, std::vector<Id>& points, std::vector<Id>& ownId, int rings)
+{
+  std::vector<bool> isTriangle;
+  std::vector<Id> triangles;
+  for (std::size_t p = 0; p < points.size(); ++p)
+  {
+    ownId[points[p]] = static_cast<Id>(p);
   }
   std::size_t begin = 0;
   for (int ring = 0; ring <= rings; ++ring)
@@ -393,23 +423,23 @@ std::vector<Id> MeshShare::Spread(
     std::copy_if(points.begin() + static_cast<std::ptrdiff_t>(begin), points.end(),
       std::back_inserter(missing), [&shared](Id p) { return !shared.IsComplete(p); });
     shared.Ask(ranks, missing);
-    isPoint.resize(shared.NumberOfPoints(), 0);
-    isTriangle.resize(shared.TriangleNumbers_.size(), 0);
+    ownId.resize(shared.NumberOfPoints(), -1);
+    isTriangle.resize(shared.NumberOfTrianglesHere(), false);
     for (std::size_t i = begin; i < end; ++i)
     {
       for (const Id t : shared.TrianglesAround(points[i]))
       {
-        if (isTriangle[t] != 0)
+        if (isTriangle[t])
         {
           continue;
         }
-        isTriangle[t] = 1;
+        isTriangle[t] = true;
         triangles.push_back(t);
         for (const Id p : shared.Corners(t))
         {
-          if (isPoint[p] == 0)
+          if (ownId[p] < 0)
           {
-            isPoint[p] = 1;
+            ownId[p] = static_cast<Id>(points.size());
             points.push_back(p);
           }
         }

@@ -4,6 +4,7 @@
 #define ridges_SharedMesh_h
 
 #include "Mesh/TriangleMesh.h"
+#include "Shares/MergedPieces.h"
 #include "Shares/SharedPoints.h"
 
 #include <array>
@@ -47,6 +48,9 @@ class SharedMesh
 public:
   /// All ranks have to call this. What is wrong with the pieces, the same text on all of them.
   std::string Share(Ranks& ranks, const MeshPiece& piece);
+
+  /// Takes a mesh that is all on one rank, whose pieces came one after the other.
+  void TakeWhole(MergedPieces& pieces, const RangeLoop& loop = TriangleMesh::InOneRange);
 
   const SharedPoints& Points() const { return this->Points_; }
 
@@ -98,6 +102,10 @@ private:
     const Id first = this->Around_.NumberOfTriangles();
     return t < first ? this->Around_.Corners(t) : this->Triangles_[t - first];
   }
+  std::size_t NumberOfTrianglesHere() const
+  {
+    return static_cast<std::size_t>(this->Around_.NumberOfTriangles()) + this->Triangles_.size();
+  }
   Id NumberOfPoints() const
   {
     return this->NumberOfOwned() + static_cast<Id>(this->NumbersOfOthers_.size());
@@ -136,6 +144,9 @@ public:
   /// edge belongs to one end.
   bool IsFirstEnd(Id p, Id q) const { return this->Numbers_[p] < this->Numbers_[q]; }
 
+  /// Its points, if all are this rank's own.
+  std::vector<Id> Owned() const;
+
   /// So many points come first.
   Id NumberOfInner() const { return this->NumberOfInner_; }
 
@@ -146,7 +157,7 @@ public:
 
 private:
   static std::vector<Id> Spread(
-    Ranks& ranks, SharedMesh& shared, std::vector<Id>& points, int rings);
+    Ranks& ranks, SharedMesh& shared, std::vector<Id>& points, std::vector<Id>& ownId, int rings);
 
   std::vector<std::int64_t> Numbers_;
   std::vector<double> Positions_;

@@ -110,17 +110,16 @@ std::vector<Eigen::Vector3d> SampleOf(Ranks& ranks, const MeshPiece& piece)
   return sample;
 }
 
-std::string TextOfAmbiguous(Id count, const std::array<double, 3>& x)
+} // namespace
+
+std::string TextOfAmbiguousPlaces(Id count, const std::array<double, 3>& x, const char* help)
 {
   char place[120];
   std::snprintf(place, sizeof place, "(%.9g, %.9g, %.9g)", x[0], x[1], x[2]);
   return std::to_string(count) +
     " places have several points in one piece and points of another piece, too, as at " + place +
-    ": which are the same cannot be known (if they are all one, merge coincident points in each "
-    "piece; if not, give the points global ids)";
+    ": which are the same cannot be known (" + help + ")";
 }
-
-} // namespace
 
 /// What came to this rank.
 struct SharedPoints::Arrivals
@@ -155,7 +154,11 @@ struct SharedPoints::Arrivals
         }
       }
     }
-    return ambiguous > 0 ? TextOfAmbiguous(ambiguous, example) : "";
+    return ambiguous > 0
+      ? TextOfAmbiguousPlaces(ambiguous, example,
+          "if they are all one, merge coincident points in each piece; if not, give the points "
+          "global ids")
+      : "";
   }
 
 private:
@@ -353,6 +356,16 @@ void SharedPoints::Number(
   {
     this->First_.push_back(this->First_.back() + count);
   }
+}
+
+void SharedPoints::TakeWhole(std::vector<double> positions, std::vector<Id> coincident)
+{
+  this->Owned_ = std::move(positions);
+  this->Coincident_ = std::move(coincident);
+  this->First_ = { 0, this->NumberOfOwned() };
+  this->NumbersOfPiece_.clear();
+  this->SentTo_.assign(1, {});
+  this->ReceivedFrom_.assign(1, {});
 }
 
 int SharedPoints::OwnerOf(std::int64_t number) const

@@ -6,8 +6,10 @@
 #include "Base/RankMessages.h"
 #include "Mesh/Triangle.h"
 
+#include <array>
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace ridges
@@ -50,6 +52,9 @@ public:
   std::int64_t NumberOfAll() const { return this->First_.back(); }
   int OwnerOf(std::int64_t number) const;
 
+  /// Takes points that are all on one rank.
+  void TakeWhole(std::vector<double> positions, std::vector<Id> coincident);
+
   /// The numbers of the points of this rank's piece.
   const std::vector<std::int64_t>& NumbersOfPiece() const { return this->NumbersOfPiece_; }
 
@@ -76,6 +81,9 @@ private:
   std::vector<std::vector<Id>> SentTo_;       ///< Points of the piece, by owner.
   std::vector<std::vector<Id>> ReceivedFrom_; ///< Which owned points those of other pieces are.
 };
+
+/// What is wrong with so many places, one of which is here, and what would help.
+std::string TextOfAmbiguousPlaces(Id count, const std::array<double, 3>& x, const char* help);
 
 template <typename T>
 std::vector<T> SharedPoints::ToPiece(Ranks& ranks, const T* owned, int width) const
