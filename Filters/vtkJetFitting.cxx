@@ -9,9 +9,9 @@
 #include "vtkRidgesArrayNames.h"
 #include "vtkRidgesBatches.h"
 #include "vtkRidgesFitFaults.h"
-#include "vtkRidgesFitPoints.h"
 #include "vtkRidgesFitSettings.h"
 #include "vtkRidgesGhosts.h"
+#include "vtkRidgesJetBlend.h"
 #include "vtkRidgesJetSelection.h"
 #include "vtkRidgesMesh.h"
 #include "vtkRidgesMongeOutput.h"
@@ -182,7 +182,6 @@ int vtkJetFitting::RequestData(
   const ridges::TriangleMesh& triangles = mesh.GetTriangles();
   const vtkIdType count = mesh.GetPolyData()->GetNumberOfPoints();
   const bool isAutomatic = this->Neighborhood == AUTOMATIC;
-  vtkRidgesFitPoints::Settings settings = vtkRidgesFitSettings(this);
   const int order = vtkRidgesFitOrder(this);
   vtkRidgesMongeOutput arrays(count, order, this->StandardErrors);
   ridges::OrderedRings rings(triangles);
@@ -191,6 +190,7 @@ int vtkJetFitting::RequestData(
   {
     return 1;
   }
+  vtkRidgesJets jets{ triangles, rings, count, order, { vtkRidgesFitSettings(this) } };
   ridges::JetChoice choice;
   if (isAutomatic)
   {
@@ -198,11 +198,9 @@ int vtkJetFitting::RequestData(
     {
       return 1;
     }
-    settings = vtkRidgesFitSettings(this, choice);
+    jets.fits = vtkRidgesFitSettings(this, choice);
   }
-  vtkRidgesFitPoints fitPoints(triangles, rings, settings, arrays);
-  const double begin = isAutomatic ? 0.3 : 0.2;
-  if (!vtkRidgesForBatches(this, count, begin, 1.0, fitPoints, fitPoints.BatchSize()))
+  if (!vtkRidgesFitJets(this, jets, isAutomatic ? 0.3 : 0.2, 1.0, arrays))
   {
     return 1;
   }

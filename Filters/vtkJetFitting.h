@@ -35,8 +35,9 @@
  * ThirdOrderError (of b0 to b3), P1Error and P2Error, in the units of these values. If Neighborhood
  * is AUTOMATIC, the field arrays SelectedDegree, SelectedNumberOfRings, SelectedNumberOfAverages,
  * EstimatedNoise (standard deviation of the points, L), NoiseCorrelation and, in words, SelectedFit
- * report the choice. Where NoiseCorrelation is not about 0, the points were smoothed or resampled,
- * or the fits do not follow the surface: then the noise is not what EstimatedNoise says.
+ * report the choice: without noise several fits, of which the highest degree and its rings are
+ * given, blended at each point by their errors. Where NoiseCorrelation is not about 0, the points
+ * were smoothed or resampled, or the fits do not follow the surface, and EstimatedNoise is wrong.
  *
  * Curvature is positive where the surface bends towards its normal: a sphere of radius r with
  * outward normals has k1 = k2 = -1/r. vtkCurvatures has the opposite sign.

@@ -29,7 +29,8 @@ bool IsFinite(const ridges::MongeForm& form)
 
 vtkRidgesFitPoints::Scratch::Scratch(const vtkRidgesFitPoints& fit)
   : fitter(fit.Mesh, fit.Rings, fit.Wanted.rule, fit.Wanted.degree, fit.Wanted.weighting)
-  , batches(fit.Mesh, fit.Rings, fit.Wanted.degree, fit.Wanted.weighting, fit.Wanted.standardErrors)
+  , batches(fit.Mesh, fit.Rings, fit.Wanted.degree, fit.Wanted.weighting, fit.Wanted.standardErrors,
+      fit.Wanted.exactGain)
 {
 }
 

@@ -26,6 +26,7 @@ public:
     int degree = 4;
     ridges::Weighting weighting = ridges::Weighting::Uniform;
     bool standardErrors = false;
+    bool exactGain = false; ///< See JetBatch.
   };
 
   vtkRidgesFitPoints(const ridges::TriangleMesh& mesh, const ridges::OrderedRings& rings,

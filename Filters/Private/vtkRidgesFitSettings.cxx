@@ -35,15 +35,30 @@ vtkRidgesFitPoints::Settings vtkRidgesFitSettings(vtkJetFitting* filter)
   return settings;
 }
 
-vtkRidgesFitPoints::Settings vtkRidgesFitSettings(
+std::vector<vtkRidgesFitPoints::Settings> vtkRidgesFitSettings(
   vtkJetFitting* filter, const ridges::JetChoice& choice)
 {
-  vtkRidgesFitPoints::Settings settings = vtkRidgesFitSettings(filter);
-  settings.degree = choice.degree;
-  settings.rule.numberOfRings = choice.numberOfRings;
-  settings.rule.minimumNumberOfPoints =
-    std::max(filter->GetMinimumNumberOfPoints(), ridges::JetFitter::FewestPoints(choice.degree));
-  return settings;
+  std::vector<vtkRidgesFitPoints::Settings> fits;
+  const auto add = [filter, &fits, &choice](int degree, int numberOfRings)
+  {
+    vtkRidgesFitPoints::Settings settings = vtkRidgesFitSettings(filter);
+    settings.degree = degree;
+    settings.exactGain = choice.isBlend;
+    settings.rule.numberOfRings = numberOfRings;
+    settings.rule.minimumNumberOfPoints =
+      std::max(filter->GetMinimumNumberOfPoints(), ridges::JetFitter::FewestPoints(degree));
+    fits.push_back(settings);
+  };
+  if (!choice.isBlend)
+  {
+    add(choice.degree, choice.numberOfRings);
+    return fits;
+  }
+  for (const ridges::BlendedJet& jet : ridges::BlendedJets)
+  {
+    add(jet.degree, jet.numberOfRings);
+  }
+  return fits;
 }
 
 int vtkRidgesFitOrder(vtkJetFitting* filter)

@@ -8,13 +8,15 @@
 
 #include "Core/Fit/JetSelection.h"
 
+#include <vector>
+
 // What the properties of vtkJetFitting mean, private to the module.
 
 /// As far as they are about a single fit, and nothing is chosen yet.
 vtkRidgesFitPoints::Settings vtkRidgesFitSettings(vtkJetFitting* filter);
 
-/// The same after a choice.
-vtkRidgesFitPoints::Settings vtkRidgesFitSettings(
+/// The same after a choice: of one fit, or of all those that are blended.
+std::vector<vtkRidgesFitPoints::Settings> vtkRidgesFitSettings(
   vtkJetFitting* filter, const ridges::JetChoice& choice);
 
 /// The highest order of the Monge forms that come out.

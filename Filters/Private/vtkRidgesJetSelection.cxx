@@ -98,6 +98,12 @@ std::string TextOf(const ridges::JetChoice& choice)
   {
     text << ", for hardly any noise";
   }
+  if (choice.isBlend)
+  {
+    const auto [low, middle, high] = ridges::BlendedJets;
+    text << "; blended with degree " << middle.degree << " on " << middle.numberOfRings << " and "
+         << low.degree << " on " << low.numberOfRings;
+  }
   return text.str();
 }
 

@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRidgesMongeOutput.h"
 
+#include "Core/Salience/TensorSmoothing.h"
 #include "vtkRidgesArrayNames.h"
 
 #include <algorithm>
+#include <array>
 
 namespace names = vtkRidgesArrayNames;
 
@@ -58,6 +60,30 @@ void Put(double* values, ridges::Span<ridges::Id> points, const double* batch, i
     }
   }
 }
+
+double Mean(double a, double b, double shareOfB)
+{
+  return (1.0 - shareOfB) * a + shareOfB * b; // exactly one of them for 0 and 1
+}
+
+template <std::size_t Size>
+std::array<double, Size> Mean(
+  const std::array<double, Size>& a, const std::array<double, Size>& b, double shareOfB)
+{
+  std::array<double, Size> mean;
+  for (std::size_t i = 0; i < Size; ++i)
+  {
+    mean[i] = Mean(a[i], b[i], shareOfB);
+  }
+  return mean;
+}
+
+struct Errors
+{
+  double* own;
+  const double* others;
+  int components;
+};
 
 } // namespace
 
@@ -126,6 +152,71 @@ void vtkRidgesMongeOutput::Store(
   Put<4>(this->ThirdOrderError, points, batch.errors + 2 * lanes, lanes);
   Put<1>(this->P1Error, points, batch.errors + 6 * lanes, lanes);
   Put<1>(this->P2Error, points, batch.errors + 7 * lanes, lanes);
+}
+
+ridges::MongeField vtkRidgesMongeOutput::View() const
+{
+  ridges::MongeField field;
+  field.k1 = this->MaximumCurvature;
+  field.k2 = this->MinimumCurvature;
+  field.d1 = this->MaximumDirection;
+  field.d2 = this->MinimumDirection;
+  field.b = this->ThirdOrder;
+  field.c = this->FourthOrder;
+  field.P1 = this->P1;
+  field.P2 = this->P2;
+  return field;
+}
+
+vtkRidgesMongeOutput::Quality vtkRidgesMongeOutput::GetQuality(vtkIdType p) const
+{
+  return { this->ConditionNumber[p], this->Residual[p], this->Scale[p],
+    this->NoiseGain ? this->NoiseGain[p] : 0.0, this->Status[p] };
+}
+
+void vtkRidgesMongeOutput::Blend(vtkIdType p, const vtkRidgesMongeOutput& other, double share)
+{
+  const auto id = static_cast<ridges::Id>(p);
+  const ridges::MongeField own = this->View();
+  const ridges::MongeField from = other.View();
+  ridges::MongeForm form;
+  const bool isBlended = this->FourthOrder
+    ? ridges::FourthOrderFromSpace(
+        Mean(ridges::FourthOrderToSpace(own, id), ridges::FourthOrderToSpace(from, id), share),
+        form)
+    : ridges::ThirdOrderFromSpace(
+        Mean(ridges::ThirdOrderToSpace(own, id), ridges::ThirdOrderToSpace(from, id), share), form);
+  if (!isBlended)
+  {
+    return;
+  }
+  const Quality a = this->GetQuality(p);
+  const Quality b = other.GetQuality(p);
+  Quality quality;
+  quality.conditionNumber = Mean(a.conditionNumber, b.conditionNumber, share);
+  quality.radius = Mean(a.radius, b.radius, share);
+  quality.noiseGain = Mean(a.noiseGain, b.noiseGain, share);
+  quality.status = share > 0.5 ? b.status : a.status;
+  // So that it is still true what it says of the error of the third order, with the gain.
+  const auto error = [](const Quality& of)
+  { return of.radius > 0.0 ? of.noiseGain * of.residual / (of.radius * of.radius) : 0.0; };
+  quality.residual = quality.noiseGain > 0.0
+    ? Mean(error(a), error(b), share) * quality.radius * quality.radius / quality.noiseGain
+    : 0.0;
+  this->Store(p, form, quality);
+  for (const auto& [errors, others, components] :
+    { Errors{ this->MaximumCurvatureError, other.MaximumCurvatureError, 1 },
+      Errors{ this->MinimumCurvatureError, other.MinimumCurvatureError, 1 },
+      Errors{ this->ThirdOrderError, other.ThirdOrderError, 4 },
+      Errors{ this->P1Error, other.P1Error, 1 }, Errors{ this->P2Error, other.P2Error, 1 } })
+  {
+    for (vtkIdType i = components * p; errors && i < components * (p + 1); ++i)
+    {
+      // Negative: unknown.
+      errors[i] = errors[i] < 0.0 || others[i] < 0.0 ? (share > 0.5 ? others[i] : errors[i])
+                                                     : Mean(errors[i], others[i], share);
+    }
+  }
 }
 
 void vtkRidgesMongeOutput::StoreErrors(vtkIdType p, const ridges::JetErrors& errors)

@@ -6,6 +6,7 @@
 #include "Core/Fit/Batch/JetBatch.h"
 #include "Core/Fit/JetErrors.h"
 #include "Core/Mesh/TriangleMesh.h"
+#include "Core/Monge/MongeField.h"
 #include "Core/Monge/MongeForm.h"
 #include "vtkRidgesFormArrays.h"
 
@@ -33,12 +34,20 @@ public:
   /// The results of the lanes of a batch, but not their status. Results that are no good may be
   /// among them: those are to be stored over.
   void Store(ridges::Span<ridges::Id> points, const ridges::JetBatch& batch, int lanes);
+  /// Mixes in the fit of the same point in an output of the same order, of which `share` is taken,
+  /// 0 to 1. Both are valid, or the share is 1.
+  void Blend(vtkIdType p, const vtkRidgesMongeOutput& other, double share);
+
+  Quality GetQuality(vtkIdType p) const;
+
   void StoreStatus(vtkIdType p, int status) { this->Status[p] = status; }
 
   /// Only if the arrays for it were asked for.
   void StoreErrors(vtkIdType p, const ridges::JetErrors& errors);
 
 private:
+  ridges::MongeField View() const;
+
   double *Normals, *MaximumCurvature, *MinimumCurvature, *MaximumDirection, *MinimumDirection,
     *ThirdOrder, *FourthOrder, *P1, *P2, *ConditionNumber, *Residual, *Scale, *NoiseGain;
   double *MaximumCurvatureError, *MinimumCurvatureError, *ThirdOrderError, *P1Error, *P2Error;

@@ -6,9 +6,9 @@
 #include "Core/Shares/EdgeFaults.h"
 #include "vtkJetFitting.h"
 #include "vtkRidgesArrayNames.h"
-#include "vtkRidgesBatches.h"
 #include "vtkRidgesFitSettings.h"
 #include "vtkRidgesGhosts.h"
+#include "vtkRidgesJetBlend.h"
 #include "vtkRidgesJetSelection.h"
 #include "vtkRidgesMesh.h"
 #include "vtkRidgesRangeLoop.h"
@@ -42,7 +42,7 @@ vtkRidgesOwnedFits::vtkRidgesOwnedFits(
 
 bool vtkRidgesOwnedFits::Choose()
 {
-  this->Settings = vtkRidgesFitSettings(this->Filter);
+  this->Settings = { vtkRidgesFitSettings(this->Filter) };
   if (!this->IsAutomatic)
   {
     return true;
@@ -70,14 +70,15 @@ void vtkRidgesOwnedFits::SetProgress(double from, double to)
 int vtkRidgesOwnedFits::GuessReach() const
 {
   constexpr int ofARadius = 4;
-  switch (this->Settings.rule.kind)
+  const ridges::NeighborhoodRule& last = this->Settings.back().rule; // that looks farthest
+  switch (last.kind)
   {
     case ridges::NeighborhoodRule::Kind::PointCount:
       return vtkRidgesGhostLevelsOf(this->Filter);
     case ridges::NeighborhoodRule::Kind::Radius:
       return ofARadius;
     default:
-      return this->Settings.rule.numberOfRings;
+      return last.numberOfRings;
   }
 }
 
@@ -93,12 +94,10 @@ bool vtkRidgesOwnedFits::FitShare(const std::vector<Id>& points, int rings, std:
 
   const auto count = static_cast<vtkIdType>(points.size());
   auto values =
-    std::make_unique<vtkRidgesMongeOutput>(count, this->Order, this->Settings.standardErrors);
+    std::make_unique<vtkRidgesMongeOutput>(count, this->Order, this->Settings[0].standardErrors);
   reach.assign(points.size(), 0);
-  vtkRidgesFitPoints fitPoints(mesh, ordered, this->Settings, *values);
-  fitPoints.NoteReach(reach);
-  const bool isDone = vtkRidgesForBatches(
-    this->Filter, count, this->From, this->To, fitPoints, fitPoints.BatchSize());
+  const vtkRidgesJets jets{ mesh, ordered, count, this->Order, this->Settings };
+  const bool isDone = vtkRidgesFitJets(this->Filter, jets, this->From, this->To, *values, &reach);
   if (ridges::IsAnywhere(this->Ranks, !isDone))
   {
     return false;

@@ -77,7 +77,7 @@ private:
   bool IsAutomatic;
   double From = 0.3;
   double To = 0.9;
-  vtkRidgesFitPoints::Settings Settings;
+  std::vector<vtkRidgesFitPoints::Settings> Settings; ///< Of fits, blended if there are several.
   ridges::JetChoice Choice;
   std::unique_ptr<vtkRidgesMongeOutput> Values; ///< Of the points that are fitted.
 

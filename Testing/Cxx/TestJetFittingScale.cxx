@@ -24,6 +24,7 @@
 #include <cstdio>
 #include <limits>
 #include <sstream>
+#include <string>
 
 using namespace ridges::testing;
 namespace names = vtkRidgesArrayNames;
@@ -91,10 +92,51 @@ TEST(JetFittingScale, ChoosesMoreRingsTheMoreNoiseThereIs)
   EXPECT_EQ(SelectedRings(Fit(jets, automatic)), 0);
 }
 
+// Without noise a mean of the three fits that it names.
+TEST(JetFittingScale, AutomaticBlendsTheFitsItSays)
+{
+  const auto mesh = ToPolyData(NoisyEllipsoid(0.0));
+  vtkNew<vtkJetFitting> jets;
+  jets->SetNeighborhoodToAutomatic();
+  const auto automatic = Fit(jets, mesh);
+  vtkFieldData* field = automatic->GetFieldData();
+  EXPECT_EQ(Value(field, names::SelectedDegree, 0), 8.0);
+  EXPECT_EQ(SelectedRings(automatic), 4);
+  const std::string text =
+    vtkStringArray::SafeDownCast(field->GetAbstractArray(names::SelectedFit))->GetValue(0);
+  EXPECT_EQ(
+    text, "degree 8 on 4 rings, for hardly any noise; blended with degree 6 on 3 and 4 on 2");
+  jets->SetNeighborhoodToRings();
+  std::vector<vtkSmartPointer<vtkPolyData>> fits;
+  for (const int rings : { 2, 3, 4 })
+  {
+    jets->SetNumberOfRings(rings);
+    jets->SetDegree(2 * rings);
+    fits.push_back(Fit(jets, mesh));
+  }
+  const auto mean = [](vtkPolyData* fit, vtkIdType p)
+  {
+    vtkPointData* data = fit->GetPointData();
+    return Value(data, names::MaximumCurvature, p) + Value(data, names::MinimumCurvature, p);
+  };
+  // Around the twelve points with five neighbours a ring more is needed for as many points.
+  vtkIdType others = 0;
+  for (vtkIdType p = 0; p < mesh->GetNumberOfPoints(); ++p)
+  {
+    const auto [least, most] =
+      std::minmax({ mean(fits[0], p), mean(fits[1], p), mean(fits[2], p) });
+    // Normals of the fits differ by 1e-6 at most: of that the square.
+    const double value = mean(automatic, p);
+    others += value < least - 1e-10 || value > most + 1e-10 ? 1 : 0;
+    EXPECT_EQ(Value(automatic->GetPointData(), names::FitStatus, p), 0.0);
+  }
+  EXPECT_LT(others, 100);
+}
+
 // The averages that may follow are those of vtkMongeSmoothing.
 TEST(JetFittingScale, AutomaticFitsWhatItSays)
 {
-  for (const double noise : { 0.0, 0.002 })
+  for (const double noise : { 1e-4, 0.002 })
   {
     const auto mesh = ToPolyData(NoisyEllipsoid(noise));
     vtkNew<vtkJetFitting> jets;
@@ -138,7 +180,7 @@ TEST(JetFittingScale, AutomaticFitsWhatItSays)
         }
       }
     }
-    EXPECT_LT(others, noise > 0.0 ? 400 : 100);
+    EXPECT_LT(others, 400);
   }
 }
 
@@ -189,7 +231,8 @@ TEST(JetFittingScale, AutomaticIsNearlyAsGoodAsTheBestChoice)
       }
     }
     std::printf("noise %g: %.2f of the least error\n", noise, automatic / least);
-    EXPECT_LE(automatic, 1.5 * least) << noise;
+    // Without noise a blend, whose error is less than that of each of its fits.
+    EXPECT_LE(automatic, (noise > 0.0 ? 1.5 : 0.9) * least) << noise;
   }
 }
 

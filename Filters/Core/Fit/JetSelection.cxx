@@ -22,6 +22,9 @@ constexpr int LastDegree = NumberOfBands - 2;
 constexpr double Quantile = 0.2;
 constexpr double QuantileOfNormal = -0.8416;
 
+/// Of fewer, what is left over is next to nothing now and then.
+constexpr int FewestLeft = 4;
+
 double QuantileOf(std::vector<double>& values)
 {
   const auto at =
@@ -30,8 +33,16 @@ double QuantileOf(std::vector<double>& values)
   return *at;
 }
 
+/// That of a chi-squared variable over its mean, by Wilson and Hilferty.
+double QuantileOfSquares(double freedom)
+{
+  const double ninth = 2.0 / (9.0 * freedom);
+  const double root = 1.0 - ninth + QuantileOfNormal * std::sqrt(ninth);
+  return root * root * root;
+}
+
 /// The variance of noise: there is as much everywhere, but of the surface more in some places than
-/// in others. So a low quantile of the squares tells it, over that of a chi-squared variable.
+/// in others. So a low quantile of the squares tells it.
 double NoiseOf(const std::vector<JetTrial>& trials)
 {
   double least = std::numeric_limits<double>::infinity();
@@ -47,13 +58,27 @@ double NoiseOf(const std::vector<JetTrial>& trials)
     }
     if (2 * squares.size() > trials.size())
     {
-      // By Wilson and Hilferty, for as many degrees of freedom as a band has coefficients.
-      const double ninth = 2.0 / (9.0 * (4.0 * band + 5.0));
-      const double root = 1.0 - ninth + QuantileOfNormal * std::sqrt(ninth);
-      least = std::min(least, QuantileOf(squares) / (root * root * root));
+      const double coefficients = 4.0 * band + 5.0;
+      least = std::min(least, QuantileOf(squares) / QuantileOfSquares(coefficients));
     }
   }
   return std::isfinite(least) ? least : 0.0;
+}
+
+/// The same of what is left over by all bands. Noise of neighbours that is not independent is
+/// partly in the bands: then this is less.
+double NoiseLeftOver(const std::vector<JetTrial>& trials)
+{
+  std::vector<double> variances;
+  for (const JetTrial& trial : trials)
+  {
+    if (trial.freedom >= FewestLeft)
+    {
+      variances.push_back(trial.variance / QuantileOfSquares(trial.freedom));
+    }
+  }
+  return 2 * variances.size() > trials.size() ? QuantileOf(variances)
+                                              : std::numeric_limits<double>::infinity();
 }
 
 /// What the variance counts for. With these the mean error is at most a seventh above its minimum.
@@ -140,6 +165,7 @@ void JetSelection::Add(const std::vector<JetTrial>& trials)
     this->Edge_ = radii / static_cast<double>(RingsToTry.front() * trials.size());
   }
   this->Noise_.push_back(NoiseOf(trials));
+  this->LeftOver_ = std::min(this->LeftOver_, NoiseLeftOver(trials));
   const auto steep = std::count_if(
     trials.begin(), trials.end(), [](const JetTrial& trial) { return trial.isSteep; });
   this->IsSteep_.push_back(2 * static_cast<std::size_t>(steep) > trials.size() ? 1 : 0);
@@ -321,6 +347,26 @@ void JetSelection::Choose()
     }
     // Before the fifth, errors of high degrees are not known.
     this->IsPastLeast_ = step >= 4 && leastOfStep > 1.5 * this->Least_;
+  }
+  this->MayBlend();
+}
+
+/// Where there is hardly any noise. What looks like noise may be a surface that the mesh hardly
+/// resolves: of that, high degrees leave over much less than of noise.
+void JetSelection::MayBlend()
+{
+  constexpr int mostRings = 5;
+  constexpr double hardlyAny = 1e-5; // of an edge
+  constexpr double muchLess = 0.1;
+  JetChoice& choice = this->Choice_;
+  const double leftOver = std::sqrt(this->LeftOver_);
+  if (std::isfinite(this->Least_) && this->Degree_ == 0 && this->Order_ > 2 &&
+    choice.numberOfRings <= mostRings &&
+    (choice.noise < hardlyAny * this->Edge_ || leftOver < muchLess * choice.noise))
+  {
+    const BlendedJet& last = BlendedJets.back();
+    choice = { last.degree, last.numberOfRings, 0, std::min(choice.noise, leftOver), this->Edge_ };
+    choice.isBlend = true;
   }
 }
 

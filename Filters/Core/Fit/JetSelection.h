@@ -3,9 +3,11 @@
 #ifndef ridges_JetSelection_h
 #define ridges_JetSelection_h
 
+#include "Fit/JetBlend.h"
 #include "Fit/JetTrial.h"
 
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace ridges
@@ -22,6 +24,9 @@ struct JetChoice
 
   /// See JetTrial.h: where it is not about 0, the noise is not what `noise` says.
   double correlation = 0.0;
+
+  /// Whether BlendedJets suit the mesh better than a single fit: that of highest degree is given.
+  bool isBlend = false;
 };
 
 /**
@@ -76,6 +81,7 @@ private:
   double SquaredBias(const Group& group, std::size_t step, int degree) const;
   double MeanError(std::size_t step, int degree, int averages) const;
   void Choose();
+  void MayBlend();
 
   int Order_;
   int Degree_;
@@ -84,6 +90,7 @@ private:
   std::vector<Group> Groups_;
   std::vector<double> Noise_;         ///< Variance of each number of rings.
   std::vector<std::uint8_t> IsSteep_; ///< Whether so many are, at every second point: see JetTrial.
+  double LeftOver_ = std::numeric_limits<double>::infinity(); ///< Variance of noise, by residuals.
   double Edge_ = 0.0;
   double Least_ = 0.0;
   bool IsPastLeast_ = false;

@@ -204,7 +204,7 @@ void JetProbe::SetBasis(int degree)
   }
 }
 
-void JetProbe::AddBands(int bands, JetTrial& trial) const
+void JetProbe::AddBands(int bands, JetTrial& trial)
 {
   static const Eigen::MatrixXd functionals =
     LegendreSums::DerivativesAtZero(Orders, NumberOfDerivatives);
@@ -242,7 +242,7 @@ void JetProbe::AddBands(int bands, JetTrial& trial) const
     const int count = HeightJet::Size(JetTrial::DegreeOf(b)) - first;
     if (pivots.segment(first, count).minCoeff() < leastPivot)
     {
-      return;
+      break;
     }
     JetTrial::Band& band = trial.band[b];
     for (int f = 0; f < NumberOfDerivatives; ++f)
@@ -258,6 +258,22 @@ void JetProbe::AddBands(int bands, JetTrial& trial) const
     first += count;
     trial.bands = b + 1;
   }
+  if (first > 0 && this->Local_.cols() < 2 * first)
+  {
+    const auto triangle =
+      factor.matrixLLT().topLeftCorner(first, first).triangularView<Eigen::Lower>();
+    this->AddVariance(triangle.transpose().solve(heights.head(first)), trial);
+  }
+}
+
+/// From the heights themselves: where there is hardly any noise, sums of squares do not show it.
+void JetProbe::AddVariance(const Eigen::VectorXd& coefficients, JetTrial& trial)
+{
+  this->SetBasis(JetTrial::DegreeOf(trial.bands - 1));
+  const double square =
+    (this->Local_.row(2) - coefficients.transpose() * this->Basis_).squaredNorm();
+  trial.freedom = static_cast<int>(this->Local_.cols() - coefficients.size());
+  trial.variance = this->Radius_ * this->Radius_ * square / trial.freedom;
 }
 
 } // namespace ridges

@@ -47,6 +47,11 @@ struct JetTrial
   int bands = 0; ///< That the points determine well.
   double radius = 0.0;
   bool isSteep = false; ///< Whether the surface turns by more than 44 degrees somewhere.
+
+  /// Of the heights left over by all these bands, on few points: the variance of noise, if none of
+  /// the surface is left. `freedom` is how many more points than coefficients there are.
+  double variance = 0.0;
+  int freedom = 0;
   std::array<Band, NumberOfBands> band{};
 };
 
@@ -91,7 +96,8 @@ private:
   bool IsSteep() const;
   void TurnToPrincipalAxes();
   void SetBasis(int degree);
-  void AddBands(int bands, JetTrial& trial) const;
+  void AddBands(int bands, JetTrial& trial);
+  void AddVariance(const Eigen::VectorXd& coefficients, JetTrial& trial);
 
   const TriangleMesh& Mesh_;
   RingNeighborhood Neighborhood_;

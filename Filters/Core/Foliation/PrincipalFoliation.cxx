@@ -238,12 +238,12 @@ bool PrincipalFoliation::TraceLine(const Seed& seed)
   std::size_t middle = first;
   bool closed = false;
   const double length = this->TraceSegments(seed, middle, closed);
-  if (!(length > 0.0) || length < this->Rule_.minimumLength)
+  if (!(length > 0.0) || length < this->Rule_.minimumLength ||
+    !this->StoreLine(first, middle, closed))
   {
     this->DropSegments(first);
     return false;
   }
-  this->StoreLine(first, middle, closed);
   this->Cover(first);
   this->AddCandidates(first);
   return true;
@@ -345,22 +345,34 @@ double PrincipalFoliation::DistanceToLines(double radius, const OwnRange& own)
   return distance;
 }
 
-void PrincipalFoliation::StoreLine(std::size_t first, std::size_t middle, bool closed)
+/// Unless it has a single point.
+bool PrincipalFoliation::StoreLine(std::size_t first, std::size_t middle, bool closed)
 {
   CurvatureLine line;
   line.closed = closed;
+  const auto add = [&line](const Eigen::Vector3d& point, double curvature)
+  {
+    // A step from a seed on an edge to that edge is round-off.
+    constexpr double roundOff = 1e-15;
+    if (line.points.empty() || (point - line.points.back()).norm() > roundOff * point.norm())
+    {
+      line.points.push_back(point);
+      line.curvatures.push_back(curvature);
+    }
+  };
   for (std::size_t i = this->Segments_.Size(); i-- > middle;)
   {
-    line.points.push_back(this->Segments_[i].end);
-    line.curvatures.push_back(this->Segments_[i].curvature);
+    add(this->Segments_[i].end, this->Segments_[i].curvature);
   }
   const FlatTriangle face(this->Mesh_, this->Field_, this->Seed_.triangle);
-  line.points.push_back(this->Seed_.position);
-  line.curvatures.push_back(face.Curvature(this->Rule_.color, face.ToFlat(this->Seed_.position)));
+  add(this->Seed_.position, face.Curvature(this->Rule_.color, face.ToFlat(this->Seed_.position)));
   for (std::size_t i = first; i < middle; ++i)
   {
-    line.points.push_back(this->Segments_[i].end);
-    line.curvatures.push_back(this->Segments_[i].curvature);
+    add(this->Segments_[i].end, this->Segments_[i].curvature);
+  }
+  if (line.points.size() < (closed ? 3 : 2))
+  {
+    return false;
   }
   for (std::size_t i = 1; i < line.points.size(); ++i)
   {
@@ -372,6 +384,7 @@ void PrincipalFoliation::StoreLine(std::size_t first, std::size_t middle, bool c
     line.curvatures.pop_back();
   }
   this->Lines_.push_back(std::move(line));
+  return true;
 }
 
 /// Seeds at the separation on both sides of the line.

@@ -90,7 +90,7 @@ private:
   bool TraceHalf(double sign, double longest);
   bool CloseAt(const Eigen::Vector3d& direction);
   double DistanceToLines(double radius, const OwnRange& own);
-  void StoreLine(std::size_t first, std::size_t middle, bool closed);
+  bool StoreLine(std::size_t first, std::size_t middle, bool closed);
   void AddCandidates(std::size_t first);
   void Cover(std::size_t first);
   void CoverAround(const Eigen::Vector3d& center, Id triangle, double radius);

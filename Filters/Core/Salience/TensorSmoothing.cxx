@@ -161,8 +161,11 @@ ThirdOrderValues ThirdOrderToSpace(const MongeField& field, Id p)
   ThirdOrderValues values{};
   AddNormalAndSecondOrder(field, p, values.data());
   AddTensor<3>(field.ThirdOrder(p), { field.D1(p), field.D2(p) }, values.data() + 9);
-  values[19] = field.P(Color::Blue, p);
-  values[20] = field.P(Color::Red, p);
+  if (field.P1 && field.P2)
+  {
+    values[19] = field.P(Color::Blue, p);
+    values[20] = field.P(Color::Red, p);
+  }
   return values;
 }
 

@@ -17,7 +17,7 @@ namespace ridges
  *
  * The second-order form is T = k1 d1 d1' + k2 d2 d2', 6 numbers, stored after the normal; the third
  * order one has 10 numbers, the fourth order one 15. Where that is missing P1 and P2 are averaged
- * as they are.
+ * as they are, if they are there.
  */
 using SecondOrderValues = std::array<double, 9>;
 using ThirdOrderValues = std::array<double, 21>;

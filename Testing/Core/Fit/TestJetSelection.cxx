@@ -38,10 +38,10 @@ std::vector<JetTrial> TrialsOf(
   return trials;
 }
 
-JetChoice Choose(const Mesh& mesh, int order)
+JetChoice Choose(const Mesh& mesh, int order, int degree = 0)
 {
   const MeshedSurface surface(mesh);
-  JetSelection selection(order);
+  JetSelection selection(order, degree);
   while (selection.NextRings() > 0)
   {
     selection.Add(TrialsOf(surface.Triangles(), selection.NextRings(), selection.NextBands()));
@@ -174,6 +174,38 @@ TEST(JetSelection, KnowsTheNoise)
       Choose(AddNormalNoise(mesh, noise * edge, 3), 3).noise, noise * edge, 0.15 * noise * edge);
   }
   EXPECT_LT(Choose(mesh, 3).noise, 1e-6 * edge);
+}
+
+//------------------------------------------------------------------------------
+// For fits of the third order only, and not if a degree is given.
+TEST(JetSelection, BlendsWhereThereIsHardlyAnyNoise)
+{
+  for (const int frequency : { 12, 24 })
+  {
+    const Mesh mesh = Ellipsoid(frequency);
+    const double edge = MeanEdgeLength(mesh);
+    EXPECT_TRUE(Choose(mesh, 3).isBlend) << frequency;
+    EXPECT_FALSE(Choose(mesh, 2).isBlend) << frequency;
+    EXPECT_FALSE(Choose(mesh, 3, 6).isBlend) << frequency;
+    for (const double noise : { 1e-3, 0.01 })
+    {
+      EXPECT_FALSE(Choose(AddNormalNoise(mesh, noise * edge, 3), 3).isBlend)
+        << frequency << " " << noise;
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+TEST(JetBlend, WeightIsOneOverTheSquareOfTheError)
+{
+  const BlendedJet jet{ 8, 4 };
+  const double weight = WeightInBlend(jet, 1e-3, 0.5, 100.0);
+  EXPECT_NEAR(weight, 6.25, 1e-12); // of an error of 100 * 1e-3 / 0.25
+  EXPECT_NEAR(WeightInBlend(jet, 2e-3, 0.5, 100.0), weight / 4.0, 1e-12);
+  EXPECT_NEAR(WeightInBlend(jet, 1e-3, 0.25, 100.0), weight / 16.0, 1e-12);
+  // A low degree is taken to be worse than it looks; no residual at all is no division by zero.
+  EXPECT_LT(WeightInBlend({ 4, 2 }, 1e-3, 0.5, 100.0), weight);
+  EXPECT_TRUE(std::isfinite(WeightInBlend(jet, 0.0, 0.5, 100.0)));
 }
 
 //------------------------------------------------------------------------------

@@ -40,14 +40,14 @@ void FitAdded(JetBatchFiller& filler, const JetBatchKernel& kernel, std::vector<
 }
 
 std::vector<BatchFit> FitAll(const TriangleMesh& mesh, const JetBatchKernel& kernel, int degree,
-  int minimumNumberOfPoints, Id first, Weighting weighting, bool standardErrors)
+  int minimumNumberOfPoints, Id first, Weighting weighting, bool standardErrors, bool exactGain)
 {
   const OrderedRings rings = RingsOf(mesh);
   RingNeighborhood neighborhood(mesh, rings);
   NeighborhoodRule rule;
   rule.minimumNumberOfPoints = minimumNumberOfPoints;
   std::vector<BatchFit> fits(mesh.NumberOfPoints());
-  JetBatchFiller filler(mesh, rings, degree, weighting, standardErrors);
+  JetBatchFiller filler(mesh, rings, degree, weighting, standardErrors, exactGain);
   for (Id i = 0; i < mesh.NumberOfPoints(); ++i)
   {
     const Id p = (i + first) % mesh.NumberOfPoints();

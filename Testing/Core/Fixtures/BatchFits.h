@@ -42,7 +42,7 @@ void FitAdded(JetBatchFiller& filler, const JetBatchKernel& kernel, std::vector<
 // All points of a mesh, from `first` on.
 std::vector<BatchFit> FitAll(const TriangleMesh& mesh, const JetBatchKernel& kernel, int degree,
   int minimumNumberOfPoints, Id first = 0, Weighting weighting = Weighting::Uniform,
-  bool standardErrors = false);
+  bool standardErrors = false, bool exactGain = false);
 
 // With the default number of points of a degree.
 NeighborhoodRule RuleFor(int degree);

@@ -30,6 +30,7 @@ struct JetBatch
   int triangles;        ///< Most triangles that the fan of a lane has.
   bool weighted;        ///< Whether there are weights; else all points count the same.
   bool standardErrors;  ///< Whether they are wanted.
+  bool exactGain;       ///< Whether the noise gain is to be exact: see JetBatchKernel.
   const double* points; ///< x, y, z of each point of the mesh.
 
   /// The points of each lane, the vertex first. Of all lanes `rows` are read; those past the end
@@ -88,8 +89,8 @@ struct JetBatch
  * the least singular value that is at most five times too large (by experience, as the pivots in
  * JetFit; in theory there is no such limit). Its points are in units of the radius up to degree 4,
  * and above in those of JetFitter, in whose orthonormal polynomials the condition number is then
- * meant. The noise gain is estimated too, up to degree 4: by experience within a factor of 0.6 to
- * 1.8.
+ * meant. The noise gain is estimated too, up to degree 4, if no exact one is wanted, which takes a
+ * twentieth of the time: by experience within a factor of 0.6 to 1.8.
  */
 struct JetBatchKernel
 {

@@ -9,7 +9,7 @@ namespace ridges
 {
 
 JetBatchFiller::JetBatchFiller(const TriangleMesh& mesh, const OrderedRings& rings, int degree,
-  Weighting weighting, bool standardErrors)
+  Weighting weighting, bool standardErrors, bool exactGain)
   : Mesh_(mesh)
   , Rings_(rings)
   , Weighting_(weighting)
@@ -18,6 +18,7 @@ JetBatchFiller::JetBatchFiller(const TriangleMesh& mesh, const OrderedRings& rin
   this->Batch_->degree = degree;
   this->Batch_->weighted = weighting != Weighting::Uniform;
   this->Batch_->standardErrors = standardErrors;
+  this->Batch_->exactGain = exactGain;
 }
 
 bool JetBatchFiller::Add(Id vertex, Span<Id> points, bool wholeRings)

@@ -24,7 +24,7 @@ class JetBatchFiller
 {
 public:
   JetBatchFiller(const TriangleMesh& mesh, const OrderedRings& rings, int degree,
-    Weighting weighting = Weighting::Uniform, bool standardErrors = false);
+    Weighting weighting = Weighting::Uniform, bool standardErrors = false, bool exactGain = false);
 
   /// Takes a neighbourhood in; false if it has too many points for a batch, or too few for the
   /// degree. `points` begins with the vertex, and then, where `wholeRings` says so, come its

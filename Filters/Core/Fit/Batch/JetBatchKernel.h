@@ -14,6 +14,35 @@
 namespace
 {
 
+/// The variance of the third derivatives as a tensor, in units of the radius, for heights of unit
+/// variance.
+template <int Degree>
+inline Vec VarianceOfThirdOrder(const NormalEquations<Degree>& equations)
+{
+  constexpr int size = NumberOfMonomials(Degree);
+  Vec sum{};
+#pragma GCC unroll 4
+  for (int j = 0; j <= 3; ++j)
+  {
+    const int first = NumberOfMonomials(2) + j;
+    Vec x[size];
+#pragma GCC unroll 15
+    for (int row = first; row < size; ++row)
+    {
+      // i! j! sqrt(3 over j)
+      Vec value = row == first ? Broadcast(j == 0 || j == 3 ? 6.0 : 3.4641016151377544) : Vec{};
+#pragma GCC unroll 15
+      for (int k = first; k < row; ++k)
+      {
+        value -= equations.L[row][k] * x[k];
+      }
+      x[row] = value;
+      sum += value * value * equations.inverseD[row];
+    }
+  }
+  return sum;
+}
+
 /// What is known of the least squares.
 template <int Degree>
 inline void StoreQuality(ridges::JetBatch& batch, const Frame& frame,
@@ -38,13 +67,15 @@ inline void StoreQuality(ridges::JetBatch& batch, const Frame& frame,
   if constexpr (Degree >= 3)
   {
     const Vec* third = probe + NumberOfMonomials(2);
-    const Vec form = 36.0 * (third[0] * third[0] + third[3] * third[3]) +
-      12.0 * (third[1] * third[1] + third[2] * third[2]);
     // Signs that are not at random make it larger, on meshes of all kinds about as much.
-    constexpr double tooLarge = 1.5;
+    constexpr double tooLarge = 1.5 * 1.5;
+    const Vec form = batch.exactGain ? VarianceOfThirdOrder<Degree>(equations)
+                                     : (1.0 / tooLarge) *
+        (36.0 * (third[0] * third[0] + third[3] * third[3]) +
+          12.0 * (third[1] * third[1] + third[2] * third[2]));
     const Vec counts = Load(batch.counts);
     const Vec freedom = Max(counts - static_cast<double>(size), Broadcast(1.0));
-    gain = (1.0 / tooLarge) * Sqrt(form * counts / freedom);
+    gain = Sqrt(form * counts / freedom);
   }
   Store(batch.noiseGain, gain);
 }

@@ -262,12 +262,16 @@ TEST(JetBatch, NoiseGainIsAboutThatOfTheSolverForSinglePoints)
       for (const JetBatchKernel& kernel : JetBatchKernels())
       {
         const auto fits = FitAll(mesh, kernel, degree, 18);
+        const auto exact = FitAll(mesh, kernel, degree, 18, 0, Weighting::Uniform, false, true);
         for (Id p = 0; p < mesh.NumberOfPoints(); ++p)
         {
           const JetFit fit = fitter.Fit(
             OffsetsAround(mesh, p, neighborhood, NeighborhoodRule()), degree, mesh.PointNormal(p));
           if (fits[p].good && fits[p].conditionNumber < 1000.0)
           {
+            // Round-off, times the square of the condition number.
+            ASSERT_NEAR(exact[p].noiseGain, fit.noiseGain, 1e-9 * fit.noiseGain)
+              << kernel.name << " " << p;
             // By experience: there is no closed form.
             ASSERT_GE(fits[p].noiseGain, 0.25 * fit.noiseGain) << kernel.name << " " << p;
             ASSERT_LE(fits[p].noiseGain, 4.0 * fit.noiseGain) << kernel.name << " " << p;
