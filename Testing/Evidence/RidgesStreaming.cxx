@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Time and memory of a mesh that is fitted piece by piece, and of the whole: see streaming.sh.
 //
-//   RidgesStreaming write FREQUENCY DIRECTORY      an ellipsoid: mesh.vtp, mesh-8.pvtp, mesh-64.pvtp
-//   RidgesStreaming read|jets|ridges FILE PIECES   a row of the table
+//   RidgesStreaming write FREQUENCY DIRECTORY      an ellipsoid: mesh.vtp, mesh-8.pvtp,
+//   mesh-64.pvtp RidgesStreaming read|jets|ridges FILE PIECES   a row of the table
 
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"

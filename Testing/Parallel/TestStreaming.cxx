@@ -16,6 +16,7 @@
 #include "vtkObjectFactory.h"
 #include "vtkPJetFitting.h"
 #include "vtkPRidgesAndUmbilics.h"
+#include "vtkPassThrough.h"
 #include "vtkPointData.h"
 #include "vtkPolyDataAlgorithm.h"
 #include "vtkRidgesArrayNames.h"
@@ -58,6 +59,7 @@ public:
   /// Of a piece, before it is given.
   std::function<void(vtkPolyData* data, int piece)> spoil;
 
+  int missing = -1; ///< A piece that cannot be made.
   int numberOfRequests = 0;
 
 protected:
@@ -76,6 +78,11 @@ protected:
     using Pipeline = vtkStreamingDemandDrivenPipeline;
     vtkInformation* info = outputVector->GetInformationObject(0);
     const int piece = info->Get(Pipeline::UPDATE_PIECE_NUMBER());
+    if (piece == this->missing)
+    {
+      vtkErrorMacro("there is no such piece");
+      return 0;
+    }
     const auto data =
       ToPolyData(this->Piece(piece, info->Get(Pipeline::UPDATE_NUMBER_OF_PIECES())).mesh);
     if (this->spoil)
@@ -242,6 +249,38 @@ TEST(Streaming, GivesTheJetsOfTheWholeMesh)
   ExpectTheSameJets(noisy, Partition::LastIsEmpty, 3);
 }
 
+// What is behind the filter asks it for the pieces.
+TEST(Streaming, WorksInThePipelineOfAnotherFilter)
+{
+  if (!IsAlone())
+  {
+    return;
+  }
+  const Mesh mesh = EllipsoidMesh(8, 1.0, 0.8, 0.6);
+  std::string warnings;
+  const auto expected = FitWhole(mesh, warnings);
+  vtkNew<PieceSource> source;
+  source->SetMesh(mesh, Partition::Blocks);
+  vtkNew<vtkPJetFitting> jets;
+  jets->SetInputConnection(source->GetOutputPort());
+  vtkNew<vtkPassThrough> behind;
+  behind->SetInputConnection(jets->GetOutputPort());
+  for (int piece = 0; piece < 3; ++piece)
+  {
+    behind->UpdatePiece(piece, 3, 0);
+    EXPECT_EQ(FirstOtherRow(expected->GetPointData(),
+                vtkPolyData::SafeDownCast(behind->GetOutputDataObject(0))->GetPointData(),
+                source->Piece(piece, 3).points),
+      "");
+  }
+  // And ends where one is missing.
+  source->missing = 1;
+  source->Modified();
+  const MessageRecorder recorder(source);
+  behind->UpdatePiece(0, 3, 0);
+  EXPECT_EQ(recorder.NumberOfErrors(), 1U);
+}
+
 // As data that is set as the input: it would be added up.
 TEST(Streaming, RefusesTheWholeMeshInEachPiece)
 {
@@ -257,4 +296,70 @@ TEST(Streaming, RefusesTheWholeMeshInEachPiece)
   jets->UpdatePiece(0, 1, 0);
   EXPECT_EQ(recorder.NumberOfErrors(), 1U);
   EXPECT_EQ(jets->GetOutput()->GetNumberOfPoints(), 642);
+}
+
+// And works again when the pieces do.
+TEST(Streaming, NamesThePieceThatCannotBeUsed)
+{
+  if (!IsAlone())
+  {
+    return;
+  }
+  vtkNew<PieceSource> source;
+  source->SetMesh(EllipsoidMesh(8, 1.0, 0.8, 0.6), Partition::Blocks);
+  vtkNew<vtkPJetFitting> jets;
+  vtkNew<vtkPRidgesAndUmbilics> ridges;
+  ridges->SetNumberOfPieces(3);
+  for (vtkPolyDataAlgorithm* filter :
+    { static_cast<vtkPolyDataAlgorithm*>(jets), static_cast<vtkPolyDataAlgorithm*>(ridges) })
+  {
+    const MessageRecorder recorder(filter);
+    filter->SetInputConnection(source->GetOutputPort());
+    const auto update = [filter, &jets] { filter->UpdatePiece(0, filter == jets ? 3 : 1, 0); };
+    source->spoil = [](vtkPolyData* data, int piece)
+    {
+      if (piece == 2)
+      {
+        AddPointArray(data, "Extra", 1, [](vtkIdType, double* values) { values[0] = 1.0; });
+      }
+    };
+    source->Modified();
+    update();
+    EXPECT_EQ(recorder.NumberOfErrors(), 1U);
+    EXPECT_NE(recorder.ErrorText().find("the arrays differ between pieces"), std::string::npos)
+      << recorder.ErrorText();
+    EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0);
+
+    // A piece that is missing is an error of what should make it.
+    source->spoil = nullptr;
+    source->missing = 1;
+    source->Modified();
+    const MessageRecorder sourceRecorder(source);
+    update();
+    EXPECT_EQ(sourceRecorder.NumberOfErrors(), 1U);
+    EXPECT_EQ(filter->GetOutput()->GetNumberOfPoints(), 0);
+
+    source->missing = -1;
+    source->Modified();
+    update();
+    EXPECT_EQ(recorder.NumberOfErrors(), 1U) << recorder.ErrorText();
+    EXPECT_GT(filter->GetOutput()->GetNumberOfPoints(), 0);
+  }
+}
+
+TEST(Streaming, GivesNothingOfNothing)
+{
+  if (!IsAlone())
+  {
+    return;
+  }
+  vtkNew<PieceSource> source;
+  source->SetMesh(Mesh(), Partition::Blocks);
+  vtkNew<vtkPRidgesAndUmbilics> ridges;
+  const MessageRecorder recorder(ridges);
+  ridges->SetNumberOfPieces(3);
+  ridges->SetInputConnection(source->GetOutputPort());
+  ridges->Update();
+  EXPECT_EQ(recorder.ErrorText(), "");
+  EXPECT_TRUE(IsEmpty(ridges->GetOutput()));
 }

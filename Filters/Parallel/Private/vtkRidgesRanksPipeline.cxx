@@ -28,6 +28,8 @@ int vtkRidgesRanksPipeline::ForwardUpstream(vtkInformation* request)
   const int isDone = this->Superclass::ForwardUpstream(request);
   if (!this->IsShared)
   {
+    // A filter that wanted another piece does not run, and cannot take that back itself.
+    this->ContinueExecuting = isDone == 0 ? 0 : this->ContinueExecuting;
     return isDone;
   }
   // After a failure VTK may not ask again what is upstream, but take what is there.
