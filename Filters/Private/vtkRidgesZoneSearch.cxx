@@ -153,7 +153,8 @@ bool vtkRidgesZoneSearch::AreAllClear(const std::vector<ridges::Ridge>& whole)
 /// The same on a part of a mesh, from more places.
 bool vtkRidgesZoneSearch::AreOutside(const std::vector<ridges::Ridge>& whole)
 {
-  ridges::ZoneDoubt doubt(this->Monge.mesh.GetTriangles(), this->Errors);
+  ridges::ZoneDoubt doubt(
+    this->Monge.mesh.GetTriangles(), [this](ridges::Id p) { return this->Errors.VerdictAt(p); });
   return std::all_of(whole.begin(), whole.end(),
     [this, &doubt](const ridges::Ridge& ridge)
     { return this->IsClear(ridge) || doubt.IsOutside(ridge); });

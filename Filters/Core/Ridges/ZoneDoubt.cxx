@@ -58,7 +58,7 @@ bool ZoneDoubt::LooksNearOthers(Id p)
     const std::size_t end = reached.size();
     for (std::size_t i = begin; i < end; ++i)
     {
-      const Verdict verdict = this->Errors_.VerdictAt(reached[i]);
+      const Verdict verdict = this->VerdictOf_(reached[i]);
       if (verdict == Verdict::Significant || verdict == Verdict::Unresolved)
       {
         return true;
@@ -106,7 +106,7 @@ bool ZoneDoubt::GrowsIntoNone(Id first)
   { return roundOff + insignificant < RidgeZones::LeastPoints; };
   for (std::size_t i = 0; i < region.size() && isKnown(); ++i)
   {
-    const Verdict verdict = this->Errors_.VerdictAt(region[i]);
+    const Verdict verdict = this->VerdictOf_(region[i]);
     roundOff += verdict == Verdict::RoundOff ? 1 : 0;
     insignificant += verdict == Verdict::Insignificant ? 1 : 0;
     this->Mesh_.LookAt(region[i]);

@@ -7,6 +7,9 @@
 #include "Ridges/ExtremalityErrors.h"
 #include "Ridges/RidgeAssembly.h"
 
+#include <functional>
+#include <utility>
+
 namespace ridges
 {
 
@@ -18,10 +21,12 @@ namespace ridges
 class ZoneDoubt
 {
 public:
-  /// Both have to outlive the object. Errors that have not begun.
-  ZoneDoubt(const TriangleMesh& mesh, ExtremalityErrors& errors)
+  using VerdictOf = std::function<ExtremalityErrors::Verdict(Id)>;
+
+  /// The mesh has to outlive the object. The verdict on a point is asked for where it is needed.
+  ZoneDoubt(const TriangleMesh& mesh, VerdictOf verdictOf)
     : Mesh_(mesh)
-    , Errors_(errors)
+    , VerdictOf_(std::move(verdictOf))
   {
   }
 
@@ -34,7 +39,7 @@ private:
   bool GrowsIntoNone(Id first);
 
   const TriangleMesh& Mesh_;
-  ExtremalityErrors& Errors_;
+  VerdictOf VerdictOf_;
   IdTable<bool> IsNear_;   ///< Of points that were asked for.
   IdTable<bool> IsInNone_; ///< Of the points of regions: whether these are certainly no zones.
 };
