@@ -26,11 +26,7 @@
 
 namespace program
 {
-#ifdef RIDGES_HAVE_MPI
-namespace
-{
 
-/// The properties under their names in the filter that runs on ranks.
 void SetProperties(Filters& filters, vtkRidgesAndUmbilics* all)
 {
   vtkJetFitting* jets = filters.jetFitting;
@@ -55,6 +51,7 @@ void SetProperties(Filters& filters, vtkRidgesAndUmbilics* all)
   all->SetZoneSignificance(ridges->GetZoneSignificance());
   all->SetTypeSignificance(ridges->GetTypeSignificance());
   all->SetTypeHysteresis(ridges->GetTypeHysteresis());
+  all->SetComputeFoldAngle(ridges->GetComputeFoldAngle());
   all->SetModelSize(ridges->GetModelSize());
   all->SetUmbilicCutOff(ridges->GetUmbilicCutOff());
 
@@ -72,6 +69,10 @@ void SetProperties(Filters& filters, vtkRidgesAndUmbilics* all)
   all->SetMaximumNumber(selection->GetMaximumNumber());
   all->SetRankBy(selection->GetRankBy());
 }
+
+#ifdef RIDGES_HAVE_MPI
+namespace
+{
 
 /// This rank's pieces of a .pvtp, joined where they touch; of any other mesh all is on the first
 /// rank.

@@ -17,6 +17,9 @@ namespace program
 void RunOnRanks(
   const Options& options, Filters& filters, const Ranks& ranks, Stages& stages, Results& results);
 
+/// Sets the properties of the stages, from fit to filter, on the filter that replaces them there.
+void SetProperties(Filters& filters, vtkRidgesAndUmbilics* all);
+
 /// The name of the file for a rank's piece of a mesh in a .pvtp of this name.
 std::string NameOfPiece(const std::string& fileName, int rank);
 
