@@ -18,6 +18,7 @@
 
 #include <cstring>
 #include <numeric>
+#include <regex>
 
 namespace names = vtkRidgesArrayNames;
 
@@ -172,10 +173,9 @@ void ExpectTheSameUmbilics(
   }
 }
 
-std::string Bare(const std::string& message)
+std::string Bare(const std::string& messages)
 {
-  const std::size_t end = message.find("): ");
-  return end == std::string::npos ? message : message.substr(end + 3);
+  return std::regex_replace(messages, std::regex("Warning: In [^\n]*\n[^\n]*\\): "), "");
 }
 
 std::vector<NamedMesh> SmallMeshes()

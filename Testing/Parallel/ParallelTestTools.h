@@ -58,8 +58,8 @@ void ExpectTheSameLines(
 void ExpectTheSameUmbilics(
   vtkPolyData* expected, vtkPolyData* actual, const std::vector<vtkIdType>& cellNames);
 
-/// A message without what VTK puts before the text.
-std::string Bare(const std::string& message);
+/// Warnings without what VTK puts before the text of each.
+std::string Bare(const std::string& messages);
 
 /// Meshes that are small, but of all kinds.
 struct NamedMesh

@@ -41,6 +41,7 @@ struct Expected
   vtkSmartPointer<vtkPolyData> ridges;
   vtkSmartPointer<vtkPolyData> umbilics;
   vtkSmartPointer<vtkPolyData> mesh;
+  std::string warnings; ///< On rank 0.
 };
 
 using Settings = std::function<void(vtkRidgesAndUmbilics*)>;
@@ -66,8 +67,10 @@ Expected OnOneRank(const Mesh& mesh, const Settings& set = SetNone)
         return result;
       });
   };
-  return { output(vtkRidgesAndUmbilics::RIDGES), output(vtkRidgesAndUmbilics::UMBILICS),
-    output(vtkRidgesAndUmbilics::MESH) };
+  Expected expected{ output(vtkRidgesAndUmbilics::RIDGES), output(vtkRidgesAndUmbilics::UMBILICS),
+    output(vtkRidgesAndUmbilics::MESH), "" };
+  expected.warnings = Bare(recorder.WarningText());
+  return expected;
 }
 
 /// On rank 0 the names in the whole mesh, by the numbers that pieces have; -1 is of nothing.
@@ -103,6 +106,7 @@ void ExpectTheSame(const Expected& expected, const NamedMesh& named, Partition p
   parallel->SetInputData(own.data);
   parallel->Update();
   ASSERT_EQ(recorder.ErrorText(), "");
+  EXPECT_EQ(Bare(recorder.WarningText()), expected.warnings);
   vtkPolyData* mesh = parallel->GetOutput(vtkRidgesAndUmbilics::MESH);
   EXPECT_EQ(
     FirstOtherRow(expected.mesh->GetPointData(), mesh->GetPointData(), own.piece.points), "");
