@@ -4,6 +4,7 @@
 
 #include "Core/Base/RankGathering.h"
 #include "vtkRidgesArrayNames.h"
+#include "vtkRidgesFieldData.h"
 #include "vtkRidgesRequest.h"
 
 #include "vtkCommand.h"
@@ -168,6 +169,11 @@ void vtkRidgesAndUmbilics::vtkInternals::StoreLines(vtkInformationVector* output
   vtkPolyData* vertices = vtkPolyData::GetData(outputs, UMBILICS);
   vertices->ShallowCopy(this->umbilics->GetOutput(1));
   this->gathering->NumberTriangles(vertices->GetPointData(), vtkRidgesArrayNames::Triangle);
+  for (vtkPolyData* output : { lines, vertices })
+  {
+    this->gathering->NumberTriangles(
+      vtkRidgesOwnFieldData(output), vtkRidgesArrayNames::UmbilicTriangle);
+  }
 }
 
 void vtkRidgesAndUmbilics::vtkInternals::ForwardProgress(vtkObject* stage, unsigned long, void*)

@@ -161,6 +161,17 @@ void ExpectTheSameLines(
   ExpectTheSameEdges(expected, actual, pointNames);
 }
 
+void ExpectTheSameTriangles(
+  vtkFieldData* expected, vtkFieldData* actual, const std::vector<vtkIdType>& cellNames)
+{
+  vtkDataArray* ids = expected->GetArray(names::UmbilicTriangle);
+  for (vtkIdType i = 0; ids && i < ids->GetNumberOfTuples(); ++i)
+  {
+    const auto id = static_cast<std::size_t>(Value(actual, names::UmbilicTriangle, i));
+    EXPECT_EQ(cellNames.at(id), ids->GetTuple1(i));
+  }
+}
+
 void ExpectTheSameUmbilics(
   vtkPolyData* expected, vtkPolyData* actual, const std::vector<vtkIdType>& cellNames)
 {

@@ -54,6 +54,10 @@ vtkSmartPointer<vtkPolyData> Without(vtkPolyData* data, const std::vector<const 
 void ExpectTheSameLines(
   vtkPolyData* expected, vtkPolyData* actual, const std::vector<vtkIdType>& pointNames);
 
+/// That the triangles of umbilics in field data are the same, by their names.
+void ExpectTheSameTriangles(
+  vtkFieldData* expected, vtkFieldData* actual, const std::vector<vtkIdType>& cellNames);
+
 /// That umbilics are, but for ids of triangles.
 void ExpectTheSameUmbilics(
   vtkPolyData* expected, vtkPolyData* actual, const std::vector<vtkIdType>& cellNames);

@@ -153,6 +153,8 @@ void ExpectTheSame(const Expected& expected, const NamedMesh& named, Partition p
   }
   ExpectTheSameLines(expected.ridges, ridges, pointNames);
   ExpectTheSameUmbilics(expected.umbilics, umbilics, cellNames);
+  ExpectTheSameTriangles(expected.ridges->GetFieldData(), ridges->GetFieldData(), cellNames);
+  ExpectTheSameTriangles(expected.umbilics->GetFieldData(), umbilics->GetFieldData(), cellNames);
 }
 
 } // namespace

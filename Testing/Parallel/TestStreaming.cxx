@@ -211,6 +211,9 @@ void ExpectTheSameRidges(const NamedMesh& named, Partition partition, int pieces
   ExpectTheSameLines(whole->GetOutput(), streamed->GetOutput(), pointNames);
   ExpectTheSameUmbilics(whole->GetOutput(vtkRidgesAndUmbilics::UMBILICS),
     streamed->GetOutput(vtkRidgesAndUmbilics::UMBILICS), cellNames);
+  ExpectTheSameTriangles(
+    whole->GetOutput()->GetFieldData(), streamed->GetOutput()->GetFieldData(), cellNames);
+  ExpectTheSameTriangles(mesh->GetFieldData(), part->GetFieldData(), cellNames);
 }
 
 } // namespace

@@ -79,12 +79,12 @@ void SetAll(vtkUmbilicDetection* umbilics)
 void SetAll(vtkRidgeExtraction* ridges)
 {
   ridges->SetTypeRule(vtkRidgeExtraction::THIRD_ORDER);
-  ridges->SetCrossingRule(
-    ridges->GetCrossingRule() == vtkRidgeExtraction::FORM ? vtkRidgeExtraction::LINEAR
-                                                          : vtkRidgeExtraction::FORM);
-  ridges->SetUmbilicJoining(
-    ridges->GetUmbilicJoining() == vtkRidgeExtraction::PATCHES ? vtkRidgeExtraction::TRIANGLES
-                                                               : vtkRidgeExtraction::PATCHES);
+  ridges->SetCrossingRule(ridges->GetCrossingRule() == vtkRidgeExtraction::FORM
+      ? vtkRidgeExtraction::LINEAR
+      : vtkRidgeExtraction::FORM);
+  ridges->SetUmbilicJoining(ridges->GetUmbilicJoining() == vtkRidgeExtraction::PATCHES
+      ? vtkRidgeExtraction::TRIANGLES
+      : vtkRidgeExtraction::PATCHES);
   ridges->SetComputeFoldAngle(true);
   ridges->SetLoopSignificance(1.125);
   ridges->SetZoneSignificance(2.125);
