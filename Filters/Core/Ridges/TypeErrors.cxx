@@ -7,6 +7,7 @@
 #include "Monge/AcuteRule.h"
 
 #include <cmath>
+#include <cstddef>
 
 namespace ridges
 {
@@ -18,6 +19,14 @@ namespace
 constexpr double ErrorOfMixedThird = 0.3;
 constexpr double ErrorOfFourth = 6.0;
 
+/// A point of more triangles is a hub.
+constexpr Id MostTriangles = 64;
+
+std::size_t IndexOf(Color color)
+{
+  return color == Color::Blue ? 0 : 1;
+}
+
 } // namespace
 
 TypeErrors::TypeErrors(
@@ -26,9 +35,41 @@ TypeErrors::TypeErrors(
   , Field_(field)
   , Errors_(errors)
 {
+  for (Id p = 0; p < mesh.NumberOfPoints(); ++p)
+  {
+    if (mesh.TrianglesAround(p).size() > MostTriangles)
+    {
+      std::array<Values, 2>& values = this->Hubs_[p];
+      for (const Color color : { Color::Blue, Color::Red })
+      {
+        values[IndexOf(color)] = { this->FindError(color, p), this->FindSlope(color, p) };
+      }
+    }
+  }
+}
+
+const TypeErrors::Values* TypeErrors::AtHub(Color color, Id p) const
+{
+  if (this->Mesh_.TrianglesAround(p).size() <= MostTriangles)
+  {
+    return nullptr;
+  }
+  return &this->Hubs_.at(p)[IndexOf(color)];
 }
 
 double TypeErrors::ErrorAt(Color color, Id p) const
+{
+  const Values* values = this->AtHub(color, p);
+  return values ? values->error : this->FindError(color, p);
+}
+
+double TypeErrors::SlopeAt(Color color, Id p) const
+{
+  const Values* values = this->AtHub(color, p);
+  return values ? values->slope : this->FindSlope(color, p);
+}
+
+double TypeErrors::FindError(Color color, Id p) const
 {
   const FitErrorSource& errors = this->Errors_;
   if (!errors.fitResidual || !errors.fitScale || !errors.noiseGain || !(errors.fitScale[p] > 0.0))
@@ -49,7 +90,7 @@ double TypeErrors::ErrorAt(Color color, Id p) const
   return third * std::hypot(6.0 * mixed * ErrorOfMixedThird, gap * ErrorOfFourth / radius);
 }
 
-double TypeErrors::SlopeAt(Color color, Id p) const
+double TypeErrors::FindSlope(Color color, Id p) const
 {
   const double here = this->Field_.Extremality(color, p);
   const auto rise = [this, color, p, here](Id q)

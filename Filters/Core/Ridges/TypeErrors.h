@@ -7,6 +7,8 @@
 #include "Monge/MongeField.h"
 #include "Ridges/RidgeTrace.h"
 
+#include <array>
+#include <unordered_map>
 #include <vector>
 
 namespace ridges
@@ -38,12 +40,25 @@ public:
   std::vector<double> ScalesOf(const RidgeTrace& trace) const;
 
 private:
+  /// Of one color.
+  struct Values
+  {
+    double error = 0.0;
+    double slope = 0.0;
+  };
+
+  double FindError(Color color, Id p) const;
+  double FindSlope(Color color, Id p) const;
+  const Values* AtHub(Color color, Id p) const;
+
   template <typename AtPoint>
   std::vector<double> Along(const RidgeTrace& trace, const AtPoint& atPoint) const;
 
   const TriangleMesh& Mesh_;
   const MongeField& Field_;
   const FitErrorSource& Errors_;
+  /// Found once at points of so many triangles that ridges may pass them thousands of times.
+  std::unordered_map<Id, std::array<Values, 2>> Hubs_;
 };
 
 } // namespace ridges
