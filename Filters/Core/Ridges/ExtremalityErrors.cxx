@@ -79,7 +79,7 @@ void ExtremalityErrors::Judge(Id begin, Id end)
     else
     {
       const Sums sums = this->OverRing(p, [this](Id q) { return this->Rings_[q]; });
-      verdict = this->IsSignificant(sums) ? Verdict::Significant : Verdict::Insignificant;
+      verdict = this->Compare(sums);
     }
   }
 }
@@ -119,7 +119,7 @@ ExtremalityErrors::Verdict ExtremalityErrors::FindVerdict(Id p)
     return Verdict::Unresolved;
   }
   const Sums sums = this->OverRing(p, [this, &own](Id q) { return this->OverRing(q, own); });
-  return this->IsSignificant(sums) ? Verdict::Significant : Verdict::Insignificant;
+  return this->Compare(sums);
 }
 
 bool ExtremalityErrors::IsBad(Id p) const
@@ -128,9 +128,17 @@ bool ExtremalityErrors::IsBad(Id p) const
   return !isFlagged.empty() && isFlagged[p] == FlaggedAsWrong;
 }
 
-bool ExtremalityErrors::IsSignificant(const Sums& sums) const
+ExtremalityErrors::Verdict ExtremalityErrors::Compare(const Sums& sums) const
 {
-  return sums.square > this->Significance_ * this->Significance_ * sums.squaredError;
+  constexpr double noiseByChance = 2.0;
+  const double factor = this->Significance_ * this->Significance_;
+  if (!(sums.square > factor * sums.squaredError))
+  {
+    return Verdict::Insignificant;
+  }
+  return sums.square > noiseByChance * noiseByChance * factor * sums.squaredNoise
+    ? Verdict::Significant
+    : Verdict::Faint;
 }
 
 /// Each neighbour once, inside of the surface, where two triangles have it.
@@ -144,6 +152,7 @@ ExtremalityErrors::Sums ExtremalityErrors::OverRing(Id p, const AtPoint& atPoint
     {
       sums.square += weight * more.square;
       sums.squaredError += weight * more.squaredError;
+      sums.squaredNoise += weight * more.squaredNoise;
     }
   };
   add(atPoint(p), 1.0);
@@ -167,16 +176,17 @@ ExtremalityErrors::Sums ExtremalityErrors::At(Id p) const
   const Surroundings around = this->LookAround(p);
   if (!(radius > 0.0) || around.isFlagged || this->Source_.mesh.TrianglesAround(p).size() == 0)
   {
-    return { 0.0, NotKnown };
+    return { 0.0, NotKnown, 0.0 };
   }
   const double b = this->Source_.field.Extremality(this->Color_, p);
   const double rounding = this->RoundingError(p, radius);
-  Sums sums{ b * b, rounding * rounding };
+  Sums sums{ b * b, rounding * rounding, rounding * rounding };
   const FitErrorSource& errors = this->Source_.errors;
   if (errors.fitResidual && errors.fitScale)
   {
     const double noise = this->GainAt(p) * around.height / (radius * radius * radius);
     const double difference = ShareOfDifference * (b - around.derivative);
+    sums.squaredNoise += noise * noise;
     sums.squaredError += noise * noise + difference * difference;
   }
   return sums;

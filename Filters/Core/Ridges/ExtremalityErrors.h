@@ -51,11 +51,15 @@ public:
     Unknown,       ///< Next to a border or to a fit that is flagged.
     RoundOff,      ///< 0 but for rounding.
     Insignificant, ///< Within its errors.
+    Faint,         ///< No farther above them than chance has it somewhere.
     Significant,
     Unresolved ///< The surface turns and is rough within the radius of a fit, or folds over.
   };
 
-  /// Significant is what exceeds `significance` standard errors.
+  /// What exceeds `significance` standard errors is significant if it also exceeds half as many
+  /// more of noise alone, else faint. Large fits err alike over wide areas, so that sums over two
+  /// rings do not average noise out: on one noisy plane in ten there is an area above three
+  /// standard errors.
   ExtremalityErrors(const Source& source, Color color, double significance);
 
   void Begin();
@@ -73,6 +77,7 @@ private:
   {
     double square = 0.0;
     double squaredError = 0.0;
+    double squaredNoise = 0.0; ///< The part of noise and rounding.
   };
 
   /// Of the triangles around a point.
@@ -91,7 +96,7 @@ private:
   bool IsRoundOff(Id p) const;
   double RoundingError(Id p, double radius) const;
   Sums At(Id p) const;
-  bool IsSignificant(const Sums& sums) const;
+  Verdict Compare(const Sums& sums) const;
   template <typename AtPoint>
   Sums OverRing(Id p, const AtPoint& atPoint) const;
 

@@ -51,7 +51,7 @@ RidgeZones::RidgeZones(const TriangleMesh& mesh, const std::vector<Verdict>& ver
         [&verdicts, verdict](Id p) { return verdicts[p] == verdict; }));
     };
     const std::size_t roundOff = count(Verdict::RoundOff);
-    const std::size_t insignificant = count(Verdict::Insignificant);
+    const std::size_t insignificant = count(Verdict::Insignificant) + count(Verdict::Faint);
     const bool isRoundOff = insignificant == 0 && roundOff >= LeastRoundOff;
     bool isZone = isRoundOff;
     const bool isLarge = region.size() >= LeastPoints;
@@ -95,18 +95,42 @@ std::vector<Id> RidgeZones::SizesOfParts() const
   return sizes;
 }
 
-/// Points within the margin of such that are no part of a zone, by layers of neighbours.
+/// Points that by themselves are no part of a zone.
+std::vector<Id> RidgeZones::Others(const std::vector<Verdict>& verdicts) const
+{
+  std::vector<Id> others;
+  std::vector<std::uint8_t> isFound(verdicts.size(), 0);
+  const auto take = [&others, &isFound, &verdicts](Verdict wanted, Id p)
+  {
+    if (!isFound[p] && verdicts[p] == wanted)
+    {
+      isFound[p] = 1;
+      others.push_back(p);
+    }
+  };
+  for (Id p = 0; p < this->Mesh_.NumberOfPoints(); ++p)
+  {
+    take(Verdict::Significant, p);
+  }
+  for (std::size_t i = 0; i < others.size(); ++i)
+  {
+    ForNeighbors(this->Mesh_, others[i], [&take](Id q) { take(Verdict::Faint, q); });
+  }
+  for (Id p = 0; p < this->Mesh_.NumberOfPoints(); ++p)
+  {
+    take(Verdict::Unresolved, p);
+  }
+  return others;
+}
+
+/// Points within the margin of such, by layers of neighbours.
 std::vector<std::uint8_t> RidgeZones::NearOthers(const std::vector<Verdict>& verdicts) const
 {
   std::vector<std::uint8_t> isNear(verdicts.size(), 0);
-  std::vector<Id> layer;
-  for (Id p = 0; p < this->Mesh_.NumberOfPoints(); ++p)
+  std::vector<Id> layer = this->Others(verdicts);
+  for (const Id p : layer)
   {
-    if (verdicts[p] == Verdict::Significant || verdicts[p] == Verdict::Unresolved)
-    {
-      isNear[p] = 1;
-      layer.push_back(p);
-    }
+    isNear[p] = 1;
   }
   for (int i = 0; i < Margin; ++i)
   {

@@ -18,7 +18,8 @@ namespace ridges
  * errors there, and so are the ridges.
  *
  * A region is made of points connected by edges, none of them within Margin edges of one where the
- * extremality is significant or the surface is not resolved. Unless the extremality is round-off
+ * extremality is significant, or faint and connected to one where it is significant, or the surface
+ * is not resolved. Unless the extremality is round-off
  * wherever it is known, a region needs LeastPoints points at which it is known, and LeastShare of
  * the points of its connected part of the mesh: on noisy surfaces with ridges there are smaller
  * regions by chance. If it is all of that part, LeastPointsOfWhole are enough;
@@ -53,6 +54,7 @@ public:
   std::vector<Id> TrianglesOf(std::size_t region) const;
 
 private:
+  std::vector<Id> Others(const std::vector<ExtremalityErrors::Verdict>& verdicts) const;
   std::vector<std::uint8_t> NearOthers(
     const std::vector<ExtremalityErrors::Verdict>& verdicts) const;
   std::vector<Id> SizesOfParts() const;

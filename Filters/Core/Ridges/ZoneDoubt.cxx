@@ -101,6 +101,7 @@ bool ZoneDoubt::GrowsIntoNone(Id first)
   std::size_t roundOff = 0;
   std::size_t insignificant = 0;
   bool isAllOfItsPart = true;
+  bool hasFaint = false;
   // With so many, its share of the mesh decides, which is not known here.
   const auto isKnown = [&roundOff, &insignificant]
   { return roundOff + insignificant < RidgeZones::LeastPoints; };
@@ -109,6 +110,11 @@ bool ZoneDoubt::GrowsIntoNone(Id first)
     const Verdict verdict = this->VerdictOf_(region[i]);
     roundOff += verdict == Verdict::RoundOff ? 1 : 0;
     insignificant += verdict == Verdict::Insignificant ? 1 : 0;
+    if (verdict == Verdict::Faint)
+    {
+      hasFaint = true; // what it is connected to decides, which is not looked at here
+      break;
+    }
     this->Mesh_.LookAt(region[i]);
     for (const Id t : this->Mesh_.TrianglesAround(region[i]))
     {
@@ -133,7 +139,7 @@ bool ZoneDoubt::GrowsIntoNone(Id first)
   const bool isRoundOff = insignificant == 0 && roundOff >= RidgeZones::LeastRoundOff;
   const bool isSmall = region.size() < RidgeZones::LeastPoints &&
     roundOff + insignificant < RidgeZones::LeastPointsOfWhole;
-  const bool isNone = isKnown() && !isRoundOff && (isSmall || !isAllOfItsPart);
+  const bool isNone = !hasFaint && isKnown() && !isRoundOff && (isSmall || !isAllOfItsPart);
   for (const Id p : region)
   {
     this->IsInNone_[p] = isNone;

@@ -103,6 +103,12 @@ TEST(ExtremalityErrors, NoiseDecidesByFitResiduals)
   mesh.SetSlope(0.1);
   EXPECT_EQ(mesh.Verdicts()[Center], Verdict::Insignificant);
   EXPECT_NE(mesh.Errors().VerdictAt(Center), Verdict::Significant);
+  // 3.6 and 6.3 standard errors.
+  mesh.SetSlope(0.2);
+  EXPECT_EQ(mesh.Verdicts()[Center], Verdict::Faint);
+  EXPECT_EQ(mesh.Errors().VerdictAt(Center), Verdict::Faint);
+  mesh.SetSlope(0.35);
+  EXPECT_EQ(mesh.Verdicts()[Center], Verdict::Significant);
   // The other colour has nothing.
   EXPECT_EQ(mesh.Verdicts(Color::Red)[Center], Verdict::RoundOff);
 }

@@ -73,6 +73,29 @@ TEST_F(RidgeZonesOnGrid, ZonesKeepAwayFromWhatIsSignificantOrUnresolved)
 }
 
 //------------------------------------------------------------------------------
+// Faint from x = -0.5 to 0.5: chance, unless one point of it is significant.
+TEST_F(RidgeZonesOnGrid, FaintPlacesCountWithSignificantOnesAmongThem)
+{
+  for (Id p = 0; p < Mesh.NumberOfPoints(); ++p)
+  {
+    Verdicts[p] = std::abs(At(p).x()) < 0.5 ? Verdict::Faint : Verdict::Insignificant;
+  }
+  const RidgeZones whole(Mesh, Verdicts);
+  ASSERT_EQ(whole.Regions().size(), 1u);
+  EXPECT_EQ(static_cast<Id>(whole.Regions()[0].size()), Mesh.NumberOfPoints());
+
+  Verdicts[840] = Verdict::Significant;
+  const RidgeZones zones(Mesh, Verdicts);
+  for (Id p = 0; p < Mesh.NumberOfPoints(); ++p)
+  {
+    if (std::abs(At(p).x()) < 0.5)
+    {
+      EXPECT_EQ(zones.RegionOf(p), -1);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
 // A strip parts the grid: 30 % at its left, 55 % at its right.
 TEST_F(RidgeZonesOnGrid, ZonesNeedPointsAndAShareOfTheMesh)
 {
