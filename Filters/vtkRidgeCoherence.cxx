@@ -3,28 +3,25 @@
 #include "vtkRidgeCoherence.h"
 
 #include "Core/Coherence/CheckCoherence.h"
-#include "Core/Coherence/Severity.h"
+#include "Core/Coherence/CoherenceCheck.h"
 #include "vtkRidgesArrayNames.h"
-#include "vtkRidgesCheckText.h"
+#include "vtkRidgesCheckTable.h"
 #include "vtkRidgesCompatibility.h"
 #include "vtkRidgesMonitor.h"
 #include "vtkRidgesPictureInput.h"
 #include "vtkRidgesRequest.h"
 
+#include "vtkCellData.h"
 #include "vtkCompositeDataIterator.h"
 #include "vtkCompositeDataSet.h"
 #include "vtkDataObject.h"
 #include "vtkDemandDrivenPipeline.h"
-#include "vtkDoubleArray.h"
-#include "vtkIdTypeArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
-#include "vtkIntArray.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPolyData.h"
 #include "vtkSmartPointer.h"
-#include "vtkStringArray.h"
 #include "vtkTable.h"
 
 #include <string>
@@ -37,86 +34,6 @@ vtkStandardNewMacro(vtkRidgeCoherence);
 namespace
 {
 
-constexpr std::size_t MostOffendersTold = 20;
-
-const char* KindName(ridges::OffenderKind kind)
-{
-  switch (kind)
-  {
-    case ridges::OffenderKind::Umbilic:
-      return "umbilic";
-    case ridges::OffenderKind::Ridge:
-      return "ridge";
-    case ridges::OffenderKind::RidgePoint:
-      return "ridge point";
-    case ridges::OffenderKind::Edge:
-      return "edge";
-    case ridges::OffenderKind::Triangle:
-      break;
-  }
-  return "cell";
-}
-
-std::string OffenderText(const vtkRidgesMesh& mesh, const ridges::CoherenceCheck& check)
-{
-  std::string text;
-  for (std::size_t i = 0; i < check.offenders.size() && i < MostOffendersTold; ++i)
-  {
-    const auto& ids = check.offenders[i].ids;
-    text += text.empty() ? "" : ", ";
-    text +=
-      std::to_string(check.offenderKind == ridges::OffenderKind::Triangle ? mesh.GetCellId(ids[0])
-                                                                          : vtkIdType{ ids[0] });
-    text += check.offenderKind == ridges::OffenderKind::Edge ? "-" + std::to_string(ids[1]) : "";
-  }
-  return text + (check.offenders.size() > MostOffendersTold ? ", ..." : "");
-}
-
-template <typename Array>
-vtkNew<Array> AddColumn(vtkTable* table, const char* name, int components = 1)
-{
-  vtkNew<Array> array;
-  array->SetName(name);
-  array->SetNumberOfComponents(components);
-  table->AddColumn(array);
-  return array;
-}
-
-void Store(const std::vector<ridges::CoherenceCheck>& checks, const ridges::RidgePicture& picture,
-  const vtkRidgesMesh& mesh, vtkTable* output)
-{
-  vtkNew<vtkTable> table;
-  auto check = AddColumn<vtkStringArray>(table, names::Check);
-  auto section = AddColumn<vtkStringArray>(table, names::Section);
-  auto expected = AddColumn<vtkStringArray>(table, names::Expected);
-  auto found = AddColumn<vtkStringArray>(table, names::Found);
-  auto applies = AddColumn<vtkIntArray>(table, names::Applies);
-  auto passed = AddColumn<vtkIntArray>(table, names::Passed);
-  auto severity = AddColumn<vtkIntArray>(table, names::Severity);
-  auto numberOfOffenders = AddColumn<vtkIdTypeArray>(table, names::NumberOfOffenders);
-  auto kind = AddColumn<vtkStringArray>(table, names::OffenderKind);
-  auto offenders = AddColumn<vtkStringArray>(table, names::Offenders);
-  auto position = AddColumn<vtkDoubleArray>(table, names::OffenderPosition, 3);
-  for (const ridges::CoherenceCheck& row : checks)
-  {
-    const vtkRidgesCheckText text(row);
-    check->InsertNextValue(text.name);
-    section->InsertNextValue(text.section);
-    expected->InsertNextValue(text.expected);
-    found->InsertNextValue(text.found);
-    applies->InsertNextValue(row.applies ? 1 : 0);
-    passed->InsertNextValue(row.Passed() ? 1 : 0);
-    severity->InsertNextValue(static_cast<int>(ridges::SeverityOf(row, picture)));
-    numberOfOffenders->InsertNextValue(static_cast<vtkIdType>(row.offenders.size()));
-    kind->InsertNextValue(KindName(row.offenderKind));
-    offenders->InsertNextValue(OffenderText(mesh, row));
-    const Eigen::Vector3d place =
-      row.offenders.empty() ? Eigen::Vector3d::Zero() : row.offenders.front().position;
-    position->InsertNextTuple(place.data());
-  }
-  output->ShallowCopy(table);
-}
-
 /// What is checked together: the inputs, or a block of each.
 struct Surface
 {
@@ -124,6 +41,19 @@ struct Surface
   vtkDataObject* ridges;
   vtkDataObject* umbilics; ///< Null: those of the mesh's field data.
 };
+
+/// Crossings of certified ridges are on the surface.
+void LeaveOutPointsOnEdges(std::vector<ridges::CoherenceCheck>& checks)
+{
+  for (ridges::CoherenceCheck& check : checks)
+  {
+    if (check.kind == ridges::CheckKind::PointsOnEdges)
+    {
+      check.applies = false;
+      check.offenders.clear();
+    }
+  }
+}
 
 /// Returns what is wrong with the inputs, as text. If nothing is, fills the output, unless the user
 /// aborts the filter, whose progress runs from `from` to `to`.
@@ -153,13 +83,24 @@ std::string Check(
   {
     return {};
   }
-  const std::vector<ridges::CoherenceCheck> checks =
+  std::vector<ridges::CoherenceCheck> checks =
     ridges::CheckCoherence(input.GetPicture(), filter->GetRightAngleCosine(), monitor);
-  if (!checks.empty())
+  if (checks.empty())
   {
-    Store(checks, input.GetPicture(), input.GetMesh(), output);
+    return {};
   }
-  return {};
+  if (mesh->GetCellData()->HasArray(names::Certificate))
+  {
+    LeaveOutPointsOnEdges(checks);
+  }
+  vtkRidgesCheckTable table(input.GetMesh());
+  table.Add(checks, input.GetPicture());
+  faults = table.AddCertificate();
+  if (faults.empty())
+  {
+    table.Store(output);
+  }
+  return faults;
 }
 
 /// The same for each block of a composite mesh. Blocks without a fault are checked all the same.

@@ -72,7 +72,10 @@
  *
  * Two rules need a formula of the surface and are not checked: that the acute rule orients every
  * edge as continuity does (definition 5), and that exact ridges cross an edge at most once (2.2d).
- * vtkCertifiedRidges checks them.
+ * vtkCertifiedRidges checks them. If the mesh is its output, there are twelve more rows, hypothesis
+ * S1 and so on, whose Found is proved, checked, or in how many triangles the hypothesis fails
+ * (Severity 1: there the result is not certain); points on edges then does not apply, as points are
+ * on the surface.
  *
  * @sa
  * vtkUmbilicDetection vtkRidgeExtraction

@@ -6,6 +6,7 @@
 #include "vtkRidgeExtraction.h"
 #include "vtkRidgesArrayNames.h"
 #include "vtkRidgesFieldData.h"
+#include "vtkRidgesHypotheses.h"
 #include "vtkRidgesMakeArray.h"
 #include "vtkRidgesMesh.h"
 #include "vtkRidgesMongeOutput.h"
@@ -68,35 +69,6 @@ int VerdictOf(std::uint16_t failed, bool isProof)
 {
   return failed != 0 ? 0 : isProof ? 2 : 1;
 }
-
-/// What a row of the table says.
-struct Row
-{
-  const char* name;
-  const char* section;
-  std::uint16_t hypothesis;
-  const char* expected;
-};
-
-constexpr Row Rows[] = {
-  { "projection", "2.2", ridges::MeshFollowsSurface,
-    "the mesh is projected one-to-one to the surface" },
-  { "S1", "5.2.1", ridges::NoRightAngle,
-    "maximum directions at the ends of an edge are not at right angle" },
-  { "S2", "5.2.1", ridges::NoUmbilicOnEdge, "no umbilic is on an edge" },
-  { "S3", "5.2.1", ridges::NoRidgeThroughVertex, "no ridge goes through a vertex" },
-  { "S4", "5.2.1", ridges::TransversalCrossings, "ridges cross edges transversally" },
-  { "D1", "5.2.1", ridges::OneUmbilic,
-    "a triangle contains at most one umbilic, and all are known" },
-  { "D2", "5.2.1", ridges::NoRidgeInTriangle, "no ridge is inside a triangle" },
-  { "2.2a", "6.3", ridges::DisjointPatches, "patches do not overlap" },
-  { "2.2b", "6.3", ridges::NoRidgeInPatch, "no ridge is inside a patch" },
-  { "2.2c", "6.3", ridges::OnlyRidgesOfUmbilic,
-    "only ridges of its umbilic cross the border of a patch, once each" },
-  { "2.2d.i", "6.3", ridges::CorrectOrientation,
-    "the acute rule orients edges as continuity does" },
-  { "2.2d.ii", "6.3", ridges::OneCrossing, "at most one ridge of a colour crosses an edge" },
-};
 
 /// Where a hypothesis fails.
 struct Offenders
@@ -167,7 +139,7 @@ Offenders OffendersOf(const vtkRidgesCertifier& certifier, std::uint16_t hypothe
 class TableRows
 {
 public:
-  void Add(const Row& row, const char* verdict, const Offenders& offenders)
+  void Add(const vtkRidgesHypothesis& row, const char* verdict, const Offenders& offenders)
   {
     this->Check->InsertNextValue(row.name);
     this->Section->InsertNextValue(row.section);
@@ -325,9 +297,9 @@ void vtkRidgesCertificateOutput::StoreTable(vtkTable* output) const
 {
   const char* const holds = this->Certifier.IsProof() ? "proved" : "checked";
   TableRows rows;
-  for (const Row& row : Rows)
+  for (const vtkRidgesHypothesis& row : vtkRidgesHypotheses())
   {
-    const Offenders offenders = OffendersOf(this->Certifier, row.hypothesis);
+    const Offenders offenders = OffendersOf(this->Certifier, row.bit);
     const char* const verdict = offenders.ids.empty() ? holds
       : offenders.isNotGeneric                        ? "failed: the surface is not generic there"
                                                       : "failed";

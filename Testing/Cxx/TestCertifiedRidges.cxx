@@ -79,6 +79,13 @@ std::map<std::string, std::string> VerdictsOf(vtkDataObject* data)
   return verdicts;
 }
 
+void Connect(vtkCertifiedRidges* certified, vtkRidgeCoherence* coherence)
+{
+  coherence->SetInputConnection(0, certified->GetOutputPort(vtkCertifiedRidges::MESH));
+  coherence->SetInputConnection(1, certified->GetOutputPort(vtkCertifiedRidges::RIDGES));
+  coherence->SetInputConnection(2, certified->GetOutputPort(vtkCertifiedRidges::UMBILICS));
+}
+
 } // namespace
 
 TEST(CertifiedRidges, ProvesAnEllipsoid)
@@ -157,27 +164,84 @@ TEST(CertifiedRidges, PlacesPointsOnTheTrueRidges)
   EXPECT_GT(onRidge, 0.9 * lines->GetNumberOfPoints());
 }
 
-// The result is consistent by the checks that know nothing of the formula, too.
+// The result is consistent by the checks that know nothing of the formula, too, and the verdicts of
+// the proof are among them.
 TEST(CertifiedRidges, PassesTheChecksOfConsistency)
 {
   vtkNew<vtkCertifiedRidges> certified;
   certified->SetInputData(EllipsoidOf(8));
   certified->SetFormula(Ellipsoid);
   vtkNew<vtkRidgeCoherence> coherence;
-  coherence->SetInputConnection(0, certified->GetOutputPort(vtkCertifiedRidges::MESH));
-  coherence->SetInputConnection(1, certified->GetOutputPort(vtkCertifiedRidges::RIDGES));
-  coherence->SetInputConnection(2, certified->GetOutputPort(vtkCertifiedRidges::UMBILICS));
+  Connect(certified, coherence);
   coherence->Update();
   vtkTable* checks = coherence->GetOutput();
-  ASSERT_GT(checks->GetNumberOfRows(), 0);
+  int proved = 0;
   for (vtkIdType row = 0; row < checks->GetNumberOfRows(); ++row)
   {
     const std::string name = checks->GetValueByName(row, names::Check).ToString();
-    if (name != "points on edges") // they are on the surface instead
-    {
-      EXPECT_EQ(checks->GetValueByName(row, names::Passed).ToInt(), 1) << name;
-    }
+    EXPECT_EQ(checks->GetValueByName(row, names::Passed).ToInt(), 1) << name;
+    // Points are on the surface instead.
+    EXPECT_EQ(
+      checks->GetValueByName(row, names::Applies).ToInt(), name == "points on edges" ? 0 : 1)
+      << name;
+    proved += checks->GetValueByName(row, names::Found).ToString() == "proved" ? 1 : 0;
   }
+  EXPECT_EQ(checks->GetNumberOfRows(), 14 + 12);
+  EXPECT_EQ(proved, 12);
+}
+
+TEST(CertifiedRidges, ChecksSayWhichHypothesisFailsWhere)
+{
+  vtkNew<vtkCertifiedRidges> certified;
+  const MessageRecorder messages(certified); // not certified
+  certified->SetInputData(EllipsoidOf(2));
+  certified->SetFormula(Ellipsoid);
+  certified->SetMaximumNumberOfPoints(0);
+  vtkNew<vtkRidgeCoherence> coherence;
+  Connect(certified, coherence);
+  coherence->Update();
+  vtkTable* checks = coherence->GetOutput();
+  vtkDataArray* failed = certified->GetOutput(vtkCertifiedRidges::MESH)
+                           ->GetCellData()
+                           ->GetArray(names::FailedHypotheses);
+  int row = 14;
+  ASSERT_EQ(checks->GetNumberOfRows(), row + 12);
+  int failing = 0;
+  for (int bit = 0; bit < 12; ++bit, ++row)
+  {
+    int cells = 0;
+    for (vtkIdType i = 0; i < failed->GetNumberOfTuples(); ++i)
+    {
+      cells += (static_cast<int>(failed->GetTuple1(i)) >> bit) & 1;
+    }
+    const std::string name = checks->GetValueByName(row, names::Check).ToString();
+    EXPECT_EQ(name.rfind("hypothesis ", 0), 0u) << name;
+    EXPECT_EQ(checks->GetValueByName(row, names::NumberOfOffenders).ToInt(), cells) << name;
+    EXPECT_EQ(checks->GetValueByName(row, names::Severity).ToInt(), cells > 0 ? 1 : 0) << name;
+    const std::string found = checks->GetValueByName(row, names::Found).ToString();
+    EXPECT_EQ(
+      found.rfind("fails in " + std::to_string(cells) + " of 80 triangles", 0) == 0, cells > 0)
+      << name << ": " << found;
+    failing += cells > 0 ? 1 : 0;
+  }
+  EXPECT_GT(failing, 0);
+}
+
+TEST(CertifiedRidges, ChecksRefuseVerdictsThatAreNone)
+{
+  vtkNew<vtkCertifiedRidges> certified;
+  certified->SetInputData(EllipsoidOf(6));
+  certified->SetFormula(Ellipsoid);
+  certified->Update();
+  vtkPolyData* mesh = certified->GetOutput(vtkCertifiedRidges::MESH);
+  mesh->GetCellData()->GetArray(names::Certificate)->SetTuple1(7, 5.0);
+  vtkNew<vtkRidgeCoherence> coherence;
+  const MessageRecorder messages(coherence);
+  coherence->SetInputData(0, mesh);
+  coherence->SetInputData(1, certified->GetOutput(vtkCertifiedRidges::RIDGES));
+  coherence->Update();
+  EXPECT_NE(messages.ErrorText().find("Certificate"), std::string::npos) << messages.ErrorText();
+  EXPECT_EQ(coherence->GetOutput()->GetNumberOfRows(), 0);
 }
 
 TEST(CertifiedRidges, FailsOnACoarseMeshThatMayNotBeRefined)
