@@ -141,12 +141,12 @@ public:
   /**
    * What noise may have caused. LoopSignificance: loops around at most 64 points, at all of which
    * b0 (b3) is within this many standard errors of 0, are left out; ZoneSignificance: so are ridges
-   * in regions where b0 (b3) is nowhere larger, but for areas in which noise by chance makes it up to
-   * twice as large (RidgeZone). Both 0 to 100, default 3, which chance and surfaces without ridges
-   * rarely exceed; 0 keeps all. TypeSignificance: runs of one type over which P is within this many
-   * standard errors of 0 become the type on both sides; 0 to 100, default 1: as many runs as are
-   * true are left, with and without noise. TypeHysteresis: so do runs shorter than this many mean
-   * edges; 0 to 1000, default 0: they may be true.
+   * in regions where b0 (b3) is nowhere larger, but for areas in which noise by chance makes it up
+   * to twice as large (RidgeZone). Both 0 to 100, default 3, which chance and surfaces without
+   * ridges rarely exceed; 0 keeps all. TypeSignificance: runs of one type over which P is within
+   * this many standard errors of 0 become the type on both sides; 0 to 100, default 1: as many runs
+   * as are true are left, with and without noise. TypeHysteresis: so do runs shorter than this many
+   * mean edges; 0 to 1000, default 0: they may be true.
    */
   vtkSetClampMacro(LoopSignificance, double, 0.0, 100.0);
   vtkGetMacro(LoopSignificance, double);
