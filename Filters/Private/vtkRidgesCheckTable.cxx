@@ -3,7 +3,6 @@
 #include "vtkRidgesCheckTable.h"
 
 #include "Core/Certification/Hypothesis.h"
-#include "Core/Coherence/CoherenceCheck.h"
 #include "Core/Coherence/Severity.h"
 #include "vtkRidgesArrayReader.h"
 #include "vtkRidgesCheckText.h"

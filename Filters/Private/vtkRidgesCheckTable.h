@@ -3,6 +3,7 @@
 #ifndef vtkRidgesCheckTable_h
 #define vtkRidgesCheckTable_h
 
+#include "Core/Coherence/CoherenceCheck.h"
 #include "Core/Coherence/RidgePicture.h"
 #include "vtkRidgesArrayNames.h"
 #include "vtkRidgesMakeArray.h"
@@ -16,11 +17,6 @@
 
 #include <string>
 #include <vector>
-
-namespace ridges
-{
-struct CoherenceCheck;
-}
 
 VTK_ABI_NAMESPACE_BEGIN
 class vtkTable;
