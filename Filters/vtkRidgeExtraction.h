@@ -19,21 +19,17 @@
  * their end point and RidgeId. Arrays: on cells RidgeType (see RidgeTypes), Crest, Closed, RidgeId,
  * NearBorder, Length, Strength and, of fourth order, Sharpness and Confidence; on points Curvature,
  * SecondDerivative (fourth order), Umbilic, TurningPoint, EdgePoint0, EdgePoint1 and EdgeParameter.
- * ComputeFoldAngle adds FoldAngle on points and cells, FoldWidth on points, and NoiseFloor in field
- * data.
+ * ComputeFoldAngle adds FoldAngle (points, cells), FoldWidth (points) and NoiseFloor (field data).
  *
  * Output port 1, if FindPurplePoints is on: a vertex per purple point, with the point arrays
  * MaximumRidgeId and MinimumRidgeId of the ridges that cross there, and Triangle, the mesh's cell.
- * Output port 2: the mesh. Its cell array RidgeZone has, for maximum and minimum ridges, the number
- * of the region in which they were left out, or -1 (see ZoneSignificance). The field array
- * NumberOfRidgeZones is on port 0, too.
+ * Output port 2: the mesh. Its cell array RidgeZone has, for maximum and minimum ridges, the region
+ * in which they were left out, or -1 (see ZoneSignificance); NumberOfRidgeZones is on port 0, too.
  *
  * Guarantees, on any mesh: ridges of one colour end only at umbilics and other singular triangles,
  * on borders, at non-manifold edges and at triangles left out. The numbering changes nothing.
- *
  * @sa vtkJetFitting vtkUmbilicDetection vtkRidgeSharpnessFilter
  */
-
 #ifndef vtkRidgeExtraction_h
 #define vtkRidgeExtraction_h
 
@@ -141,12 +137,11 @@ public:
   /**
    * What noise may have caused. LoopSignificance: loops around at most 64 points, at all of which
    * b0 (b3) is within this many standard errors of 0, are left out; ZoneSignificance: so are ridges
-   * in regions where b0 (b3) is nowhere larger, but for areas in which noise by chance makes it up
-   * to twice as large (RidgeZone). Both 0 to 100, default 3, which chance and surfaces without
-   * ridges rarely exceed; 0 keeps all. TypeSignificance: runs of one type over which P is within
-   * this many standard errors of 0 become the type on both sides; 0 to 100, default 1: as many runs
-   * as are true are left, with and without noise. TypeHysteresis: so do runs shorter than this many
-   * mean edges; 0 to 1000, default 0: they may be true.
+   * in regions where b0 (b3) is nowhere larger, except up to twice as large by chance (RidgeZone).
+   * Both 0 to 100, default 3, which chance and surfaces without ridges rarely exceed; 0 keeps all.
+   * TypeSignificance: runs of one type over which P is within this many standard errors of 0 become
+   * the type on both sides; 0 to 100, default 1, which leaves as many runs as are true.
+   * TypeHysteresis: so do runs shorter than this many mean edges; 0 to 1000, default 0.
    */
   vtkSetClampMacro(LoopSignificance, double, 0.0, 100.0);
   vtkGetMacro(LoopSignificance, double);
