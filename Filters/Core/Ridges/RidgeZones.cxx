@@ -108,17 +108,28 @@ std::vector<Id> RidgeZones::Others(const std::vector<Verdict>& verdicts) const
       others.push_back(p);
     }
   };
+  // From `begin` on, and what is connected to these.
+  const auto spread = [this, &others, &take](std::size_t begin, Verdict to)
+  {
+    for (std::size_t i = begin; i < others.size(); ++i)
+    {
+      ForNeighbors(this->Mesh_, others[i], [&take, to](Id q) { take(to, q); });
+    }
+  };
   for (Id p = 0; p < this->Mesh_.NumberOfPoints(); ++p)
   {
     take(Verdict::Significant, p);
   }
-  for (std::size_t i = 0; i < others.size(); ++i)
-  {
-    ForNeighbors(this->Mesh_, others[i], [&take](Id q) { take(Verdict::Faint, q); });
-  }
+  spread(0, Verdict::Faint);
   for (Id p = 0; p < this->Mesh_.NumberOfPoints(); ++p)
   {
+    const std::size_t before = others.size();
     take(Verdict::Unresolved, p);
+    spread(before, Verdict::Unresolved);
+    if (others.size() - before < LeastUnresolved)
+    {
+      others.resize(before);
+    }
   }
   return others;
 }

@@ -18,12 +18,13 @@ namespace ridges
  * errors there, and so are the ridges.
  *
  * A region is made of points connected by edges, none of them within Margin edges of one where the
- * extremality is significant, or faint and connected to one where it is significant, or the surface
- * is not resolved. Unless the extremality is round-off
- * wherever it is known, a region needs LeastPoints points at which it is known, and LeastShare of
- * the points of its connected part of the mesh: on noisy surfaces with ridges there are smaller
- * regions by chance. If it is all of that part, LeastPointsOfWhole are enough;
- * or LeastPoints at which it is not known, as where all fits are ill conditioned.
+ * extremality is significant, or faint and connected to one where it is significant, or of
+ * LeastUnresolved connected ones where the surface is not resolved: fewer are flagged by noise.
+ * Unless the extremality is round-off wherever it is known, a region needs LeastPoints points at
+ * which it is known, and LeastShare of the points of its connected part of the mesh: on noisy
+ * surfaces with ridges there are smaller regions by chance. If it is all of that part,
+ * LeastPointsOfWhole are enough; or LeastPoints at which it is not known, as where all fits are ill
+ * conditioned.
  */
 class RidgeZones
 {
@@ -32,6 +33,7 @@ public:
   static constexpr std::size_t LeastPoints = 200;
   static constexpr std::size_t LeastPointsOfWhole = 20;
   static constexpr double LeastShare = 0.25;
+  static constexpr std::size_t LeastUnresolved = 4;
 
   /// Of points at which the extremality is round-off a few are enough.
   static constexpr std::size_t LeastRoundOff = 8;

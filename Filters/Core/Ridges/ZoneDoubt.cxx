@@ -58,8 +58,7 @@ bool ZoneDoubt::LooksNearOthers(Id p)
     const std::size_t end = reached.size();
     for (std::size_t i = begin; i < end; ++i)
     {
-      const Verdict verdict = this->VerdictOf_(reached[i]);
-      if (verdict == Verdict::Significant || verdict == Verdict::Unresolved)
+      if (this->VerdictOf_(reached[i]) == Verdict::Significant)
       {
         return true;
       }
@@ -101,7 +100,7 @@ bool ZoneDoubt::GrowsIntoNone(Id first)
   std::size_t roundOff = 0;
   std::size_t insignificant = 0;
   bool isAllOfItsPart = true;
-  bool hasFaint = false;
+  bool dependsOnOthers = false;
   // With so many, its share of the mesh decides, which is not known here.
   const auto isKnown = [&roundOff, &insignificant]
   { return roundOff + insignificant < RidgeZones::LeastPoints; };
@@ -110,9 +109,9 @@ bool ZoneDoubt::GrowsIntoNone(Id first)
     const Verdict verdict = this->VerdictOf_(region[i]);
     roundOff += verdict == Verdict::RoundOff ? 1 : 0;
     insignificant += verdict == Verdict::Insignificant ? 1 : 0;
-    if (verdict == Verdict::Faint)
+    if (verdict == Verdict::Faint || verdict == Verdict::Unresolved)
     {
-      hasFaint = true; // what it is connected to decides, which is not looked at here
+      dependsOnOthers = true; // that they are connected to, which are not looked at here
       break;
     }
     this->Mesh_.LookAt(region[i]);
@@ -139,7 +138,7 @@ bool ZoneDoubt::GrowsIntoNone(Id first)
   const bool isRoundOff = insignificant == 0 && roundOff >= RidgeZones::LeastRoundOff;
   const bool isSmall = region.size() < RidgeZones::LeastPoints &&
     roundOff + insignificant < RidgeZones::LeastPointsOfWhole;
-  const bool isNone = !hasFaint && isKnown() && !isRoundOff && (isSmall || !isAllOfItsPart);
+  const bool isNone = !dependsOnOthers && isKnown() && !isRoundOff && (isSmall || !isAllOfItsPart);
   for (const Id p : region)
   {
     this->IsInNone_[p] = isNone;

@@ -52,23 +52,31 @@ TEST_F(RidgeZonesOnGrid, InsignificantMeshIsOneZone)
 //------------------------------------------------------------------------------
 TEST_F(RidgeZonesOnGrid, ZonesKeepAwayFromWhatIsSignificantOrUnresolved)
 {
+  const Id center = 840;
+  const double edge = 2.0 / 40;
   for (const Verdict other : { Verdict::Significant, Verdict::Unresolved })
   {
-    const Id center = 840;
     Verdicts[center] = other;
+    if (other == Verdict::Unresolved)
+    {
+      EXPECT_EQ(static_cast<Id>(RidgeZones(Mesh, Verdicts).Regions()[0].size()),
+        Mesh.NumberOfPoints()); // one is too few
+      static_assert(RidgeZones::LeastUnresolved == 4, "three more to the left");
+      std::fill_n(Verdicts.begin() + center - 3, 3, other);
+    }
     const RidgeZones zones(Mesh, Verdicts);
     ASSERT_EQ(zones.Regions().size(), 1u);
-    const double edge = 2.0 / 40;
     for (Id p = 0; p < Mesh.NumberOfPoints(); ++p)
     {
       const double distance = (At(p) - At(center)).lpNorm<Eigen::Infinity>();
-      if (distance > (RidgeZones::Margin + 0.5) * edge)
+      if (distance > (RidgeZones::Margin + 3.5) * edge)
       {
         EXPECT_EQ(zones.RegionOf(p), 0);
       }
     }
     EXPECT_EQ(zones.RegionOf(center), -1);
     EXPECT_EQ(zones.RegionOf(center + RidgeZones::Margin), -1);
+    EXPECT_EQ(zones.RegionOf(center + RidgeZones::Margin + 1), 0);
   }
 }
 
@@ -136,7 +144,7 @@ TEST_F(RidgeZonesOnGrid, MeshWithoutAnythingSignificantIsAZone)
 {
   std::fill(Verdicts.begin(), Verdicts.end(), Verdict::Unknown);
   EXPECT_EQ(RidgeZones(Mesh, Verdicts).Regions().size(), 1u);
-  Verdicts.back() = Verdict::Unresolved;
+  std::fill(Verdicts.end() - RidgeZones::LeastUnresolved, Verdicts.end(), Verdict::Unresolved);
   EXPECT_TRUE(RidgeZones(Mesh, Verdicts).Regions().empty());
 }
 

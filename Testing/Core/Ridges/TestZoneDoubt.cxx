@@ -73,15 +73,25 @@ protected:
 } // namespace
 
 //------------------------------------------------------------------------------
-TEST_F(ZoneDoubtOnGrid, IsOutsideNextToWhatIsSignificantOrUnresolved)
+TEST_F(ZoneDoubtOnGrid, IsOutsideNextToWhatIsSignificant)
 {
   const double edge = 2.0 / 40;
-  for (const Verdict other : { Verdict::Significant, Verdict::Unresolved })
+  this->Set(Verdict::Insignificant, 0.0, 0.0, 2.0);
+  this->Set(Verdict::Significant, 0.0, 0.0, 0.5 * edge);
+  EXPECT_TRUE(this->IsOutside(this->RidgeAt(RidgeZones::Margin * edge, 0.0)));
+  EXPECT_FALSE(this->IsOutside(this->RidgeAt((RidgeZones::Margin + 1) * edge, 0.0)));
+}
+
+//------------------------------------------------------------------------------
+// These count by what they are connected to.
+TEST_F(ZoneDoubtOnGrid, IsInDoubtNextToWhatIsFaintOrUnresolved)
+{
+  const double edge = 2.0 / 40;
+  for (const Verdict other : { Verdict::Faint, Verdict::Unresolved })
   {
     this->Set(Verdict::Insignificant, 0.0, 0.0, 2.0);
     this->Set(other, 0.0, 0.0, 0.5 * edge);
-    EXPECT_TRUE(this->IsOutside(this->RidgeAt(RidgeZones::Margin * edge, 0.0)));
-    EXPECT_FALSE(this->IsOutside(this->RidgeAt((RidgeZones::Margin + 1) * edge, 0.0)));
+    EXPECT_FALSE(this->IsOutside(this->RidgeAt(edge, 0.0)));
   }
 }
 
@@ -132,11 +142,11 @@ TEST_F(ZoneDoubtOnGrid, IsNeverWrong)
   std::uniform_real_distribution<double> width(0.03, 0.5);
   int outside = 0;
   int inZones = 0;
-  for (int i = 0; i < 60; ++i)
+  for (int i = 0; i < 90; ++i)
   {
     this->Set(i % 2 == 0 ? Verdict::Insignificant : Verdict::Unknown, 0.0, 0.0, 2.0);
     for (const Verdict verdict : { Verdict::Insignificant, Verdict::Unknown, Verdict::RoundOff,
-           Verdict::Significant, Verdict::Unresolved })
+           Verdict::Significant, Verdict::Unresolved, Verdict::Faint })
     {
       const double x = place(random);
       const double y = place(random);
