@@ -199,6 +199,7 @@ int vtkJetFitting::RequestData(
       return 1;
     }
     jets.fits = vtkRidgesFitSettings(this, choice);
+    jets.noise = choice.noiseInBlend;
   }
   if (!vtkRidgesFitJets(this, jets, isAutomatic ? 0.3 : 0.2, 1.0, arrays))
   {
@@ -241,5 +242,6 @@ void vtkJetFitting::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "NumberOfRings: " << this->NumberOfRings << "\n";
   os << indent << "Radius: " << this->Radius << "\n";
   os << indent << "Weighting: " << this->GetWeightingAsString() << "\n";
+  os << indent << "BlendNoisyFits: " << (this->BlendNoisyFits ? "On" : "Off") << "\n";
   os << indent << "StandardErrors: " << (this->StandardErrors ? "On" : "Off") << "\n";
 }

@@ -35,21 +35,19 @@
  * ThirdOrderError (of b0 to b3), P1Error and P2Error, in the units of these values. If Neighborhood
  * is AUTOMATIC, the field arrays SelectedDegree, SelectedNumberOfRings, SelectedNumberOfAverages,
  * EstimatedNoise (standard deviation of the points, L), NoiseCorrelation and, in words, SelectedFit
- * report the choice: without noise several fits, of which the highest degree and its rings are
- * given, blended at each point by their errors. Where NoiseCorrelation is not about 0, the points
+ * report the choice, of blended fits the last one. Where NoiseCorrelation is not about 0, points
  * were smoothed or resampled, or the fits do not follow the surface, and EstimatedNoise is wrong.
  *
  * Curvature is positive where the surface bends towards its normal: a sphere of radius r with
  * outward normals has k1 = k2 = -1/r. vtkCurvatures has the opposite sign.
  *
  * Method: jet fitting. The principal axes of the neighbourhood give the height direction; offsets
- * are in units of its radius. Ill-conditioned points are fitted singly, by an orthogonal
- * decomposition. On a smooth surface sampled at distance h the errors of k, b and c are of order
- * Degree - 1, Degree - 2 and Degree - 3 in h, one better on regular samplings. Guarantees: the same
- * bytes for any number of threads, any SMP back end and any numbering; with and without fused
- * multiply-add k, b and P differ by round-off (1e-12, 1e-10 and 1e-10 relative, on clean meshes).
- * No value is NaN: where nothing fits all are 0 and FitStatus is FIT_INVALID. Polygons and strips
- * are triangulated. For composite data and ghosts see Documentation/Arrays.md.
+ * are in units of its radius. On a smooth surface sampled at distance h the errors of k, b and c
+ * are of order Degree - 1, Degree - 2 and Degree - 3 in h, one better on regular samplings.
+ * Guarantees: the same bytes for any number of threads, any SMP back end and any numbering; fused
+ * multiply-add changes k, b and P by round-off (1e-12, 1e-10 and 1e-10, on clean meshes). No value
+ * is NaN: where nothing fits all are 0 and FitStatus is FIT_INVALID. Polygons and strips are
+ * triangulated. For composite data and ghosts see Documentation/Arrays.md.
  * @warning The triangles must be consistently oriented: flipping the orientation changes the
  * sign of the curvatures and swaps maximum and minimum (k1' = -k2, k2' = -k1).
  * @sa vtkUmbilicDetection vtkRidgeExtraction vtkCurvatures
@@ -116,7 +114,9 @@ public:
    * if none is set, and the rings, 2 to 24, with the least estimated error of ThirdOrder, or, with
    * MongeOrder 2, of the curvatures from degree 2 on. Where there is noise, two averages over
    * one-rings follow (vtkMongeSmoothing), and the standard errors are those before. Default
-   * AUTOMATIC: no other choice suits both exact data and noise.
+   * AUTOMATIC: no other choice suits both exact data and noise. Without noise it blends three fits
+   * at each point by their errors; with BlendNoisyFits also where there is noise, independent from
+   * point to point: more ridges are whole. Default off: the fit takes three times as long.
    */
   vtkSetClampMacro(Neighborhood, int, BY_POINT_COUNT, AUTOMATIC);
   vtkGetMacro(Neighborhood, int);
@@ -125,27 +125,24 @@ public:
   void SetNeighborhoodToRadius() { this->SetNeighborhood(BY_RADIUS); }
   void SetNeighborhoodToAutomatic() { this->SetNeighborhood(AUTOMATIC); }
   const char* GetNeighborhoodAsString() const;
+  vtkSetMacro(BlendNoisyFits, bool);
+  vtkGetMacro(BlendNoisyFits, bool);
+  vtkBooleanMacro(BlendNoisyFits, bool);
   ///@}
 
   ///@{
   /**
    * Minimum number of points in a neighbourhood, itself included; at least 3, raised to 15, 26, 34,
-   * 45, 56 in degrees 4 to 8. Default 18: two rings of a regular mesh have 19, and the 15
-   * coefficients of degree 4 would interpolate. Use more on noisy data.
-   * Number of rings in a neighbourhood, 1 to 1000. Where they have too few points a lower degree is
-   * fitted, and flagged. Default 3: two are enough on a regular mesh only; four from degree 7 on.
+   * 45, 56 in degrees 4 to 8. Default 18: two rings of a regular mesh have 19; 15 interpolate.
+   * Number of rings, 1 to 1000. Where they have too few points a lower degree is fitted, and
+   * flagged. Default 3: two are enough on a regular mesh only; four from degree 7 on.
+   * Radius, in the unit of the points; it must be positive to be used. The other side of a thin
+   * wall is never included. Default 0: no radius suits every mesh.
    */
   vtkSetClampMacro(MinimumNumberOfPoints, int, 3, VTK_INT_MAX);
   vtkGetMacro(MinimumNumberOfPoints, int);
   vtkSetClampMacro(NumberOfRings, int, 1, 1000);
   vtkGetMacro(NumberOfRings, int);
-  ///@}
-
-  ///@{
-  /**
-   * Radius of a neighbourhood, in the unit of the points; it must be positive to be used. The
-   * other side of a thin wall is never included. Default 0: no radius suits every mesh.
-   */
   vtkSetMacro(Radius, double);
   vtkGetMacro(Radius, double);
   ///@}
@@ -185,6 +182,7 @@ protected:
   int Degree = 0;
   int MongeOrder = 4;
   int Neighborhood = AUTOMATIC;
+  bool BlendNoisyFits = false;
   int MinimumNumberOfPoints = 18;
   int NumberOfRings = 3;
   double Radius = 0.0;

@@ -56,6 +56,7 @@ vtkRidgesStagePropertyMacro(jets, MinimumNumberOfPoints, int);
 vtkRidgesStagePropertyMacro(jets, NumberOfRings, int);
 vtkRidgesStagePropertyMacro(jets, Radius, double);
 vtkRidgesStagePropertyMacro(jets, Weighting, int);
+vtkRidgesStagePropertyMacro(jets, BlendNoisyFits, bool);
 vtkRidgesStagePropertyMacro(jets, StandardErrors, bool);
 vtkRidgesStagePropertyMacro(umbilics, Method, int);
 vtkRidgesStagePropertyMacro(umbilics, Significance, double);

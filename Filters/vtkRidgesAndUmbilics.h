@@ -72,6 +72,8 @@ public:
   vtkRidgesStagePropertyMacro(Weighting, int);
   void SetWeightingToUniform() { this->SetWeighting(vtkJetFitting::UNIFORM); }
   void SetWeightingToGaussian() { this->SetWeighting(vtkJetFitting::GAUSSIAN); }
+  vtkRidgesStagePropertyMacro(BlendNoisyFits, bool);
+  vtkBooleanMacro(BlendNoisyFits, bool);
   vtkRidgesStagePropertyMacro(StandardErrors, bool);
   vtkBooleanMacro(StandardErrors, bool);
   ///@}

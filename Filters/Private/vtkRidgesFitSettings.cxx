@@ -43,20 +43,19 @@ std::vector<vtkRidgesFitPoints::Settings> vtkRidgesFitSettings(
   {
     vtkRidgesFitPoints::Settings settings = vtkRidgesFitSettings(filter);
     settings.degree = degree;
-    settings.exactGain = choice.isBlend;
+    settings.exactGain = !choice.blend.empty();
     settings.rule.numberOfRings = numberOfRings;
     settings.rule.minimumNumberOfPoints =
       std::max(filter->GetMinimumNumberOfPoints(), ridges::JetFitter::FewestPoints(degree));
     fits.push_back(settings);
   };
-  if (!choice.isBlend)
-  {
-    add(choice.degree, choice.numberOfRings);
-    return fits;
-  }
-  for (const ridges::BlendedJet& jet : ridges::BlendedJets)
+  for (const ridges::BlendedJet& jet : choice.blend)
   {
     add(jet.degree, jet.numberOfRings);
+  }
+  if (fits.empty())
+  {
+    add(choice.degree, choice.numberOfRings);
   }
   return fits;
 }

@@ -16,6 +16,7 @@ struct BlendPoints
 {
   const vtkRidgesMongeOutput& fits;
   ridges::BlendedJet jet;
+  double noise;
   vtkRidgesMongeOutput& blend;
   std::vector<double>& weights; ///< Of the blend so far: 0 where there is no good fit in it.
 
@@ -28,8 +29,10 @@ struct BlendPoints
       {
         continue;
       }
-      const double weight =
-        ridges::WeightInBlend(this->jet, quality.residual, quality.radius, quality.noiseGain);
+      const double weight = this->noise > 0.0
+        ? ridges::WeightInNoisyBlend(
+            this->jet, this->noise, quality.residual, quality.radius, quality.noiseGain)
+        : ridges::WeightInBlend(this->jet, quality.residual, quality.radius, quality.noiseGain);
       const double sum = this->weights[p] + weight;
       if (&this->fits != &this->blend)
       {
@@ -67,8 +70,8 @@ bool vtkRidgesFitJets(vtkJetFitting* filter, const vtkRidgesJets& jets, double f
     {
       return false;
     }
-    BlendPoints blend{ fits, { jets.fits[i].degree, jets.fits[i].rule.numberOfRings }, output,
-      weights };
+    BlendPoints blend{ fits, { jets.fits[i].degree, jets.fits[i].rule.numberOfRings }, jets.noise,
+      output, weights };
     if (isBlend && !vtkRidgesForBatches(filter, jets.count, fitted, from + step, blend))
     {
       return false;

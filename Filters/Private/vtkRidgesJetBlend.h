@@ -18,6 +18,7 @@ struct vtkRidgesJets
   vtkIdType count;
   int order;
   std::vector<vtkRidgesFitPoints::Settings> fits; ///< One, or several to be blended.
+  double noise = 0.0;                             ///< In the blend; 0: hardly any.
 };
 
 /// Fits, and blends (see JetBlend.h), while progress goes from `from` to `to`. False if the user

@@ -73,6 +73,24 @@ struct LookAtRemains
   }
 };
 
+/// Of noise that is independent, estimates scatter by about 0.03.
+constexpr double HardlyCorrelated = 0.1;
+
+/// Where a degree above 4 is best, noise needs as many rings everywhere.
+void BlendNoisyFits(ridges::JetChoice& choice)
+{
+  constexpr int degree = 4;
+  constexpr int fewestRings = 3;
+  if (choice.blend.empty() && choice.degree == degree && choice.numberOfRings >= fewestRings &&
+    choice.correlation <= HardlyCorrelated)
+  {
+    choice.blend = ridges::JetsWithNoise(choice.numberOfRings);
+    choice.degree = choice.blend.back().degree;
+    choice.numberOfRings = choice.blend.back().numberOfRings;
+    choice.noiseInBlend = choice.noise;
+  }
+}
+
 /// For a person, in one line.
 std::string TextOf(const ridges::JetChoice& choice)
 {
@@ -87,9 +105,7 @@ std::string TextOf(const ridges::JetChoice& choice)
   if (choice.noise > hardlyAny * choice.edge)
   {
     text << ", for noise of about " << 100.0 * choice.noise / choice.edge << " % of an edge";
-    // Of noise that is independent, estimates scatter by about 0.03.
-    constexpr double hardlyCorrelated = 0.1;
-    if (choice.correlation > hardlyCorrelated)
+    if (choice.correlation > HardlyCorrelated)
     {
       text << " that is not independent from point to point: not a reliable estimate";
     }
@@ -98,11 +114,11 @@ std::string TextOf(const ridges::JetChoice& choice)
   {
     text << ", for hardly any noise";
   }
-  if (choice.isBlend)
+  for (std::size_t i = choice.blend.size(); i-- > 1;)
   {
-    const auto [low, middle, high] = ridges::BlendedJets;
-    text << "; blended with degree " << middle.degree << " on " << middle.numberOfRings << " and "
-         << low.degree << " on " << low.numberOfRings;
+    const ridges::BlendedJet& other = choice.blend[i - 1];
+    text << (i + 1 == choice.blend.size() ? "; blended with degree " : " and ") << other.degree
+         << " on " << other.numberOfRings;
   }
   return text.str();
 }
@@ -207,6 +223,10 @@ bool Select(
     return false;
   }
   choice.correlation = ridges::NeighborCorrelation(remains);
+  if (filter->GetBlendNoisyFits() && filter->GetDegree() == 0 && order > 2)
+  {
+    BlendNoisyFits(choice);
+  }
   return true;
 }
 

@@ -96,7 +96,8 @@ bool vtkRidgesOwnedFits::FitShare(const std::vector<Id>& points, int rings, std:
   auto values =
     std::make_unique<vtkRidgesMongeOutput>(count, this->Order, this->Settings[0].standardErrors);
   reach.assign(points.size(), 0);
-  const vtkRidgesJets jets{ mesh, ordered, count, this->Order, this->Settings };
+  const vtkRidgesJets jets{ mesh, ordered, count, this->Order, this->Settings,
+    this->Choice.noiseInBlend };
   const bool isDone = vtkRidgesFitJets(this->Filter, jets, this->From, this->To, *values, &reach);
   if (ridges::IsAnywhere(this->Ranks, !isDone))
   {

@@ -36,8 +36,8 @@ std::string TextOfProperties(vtkJetFitting* filter)
   std::ostringstream text;
   text << filter->GetDegree() << " " << filter->GetMongeOrder() << " " << filter->GetNeighborhood()
        << " " << filter->GetMinimumNumberOfPoints() << " " << filter->GetNumberOfRings() << " "
-       << filter->GetRadius() << " " << filter->GetWeighting() << " "
-       << filter->GetStandardErrors();
+       << filter->GetRadius() << " " << filter->GetWeighting() << " " << filter->GetStandardErrors()
+       << " " << filter->GetBlendNoisyFits();
   return text.str();
 }
 

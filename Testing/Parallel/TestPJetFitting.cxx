@@ -11,6 +11,7 @@
 #include "vtkNew.h"
 #include "vtkPJetFitting.h"
 #include "vtkPointData.h"
+#include "vtkRidgesArrayNames.h"
 
 #include <gtest/gtest.h>
 
@@ -19,6 +20,7 @@
 #include <utility>
 
 using namespace ridges::testing;
+namespace names = vtkRidgesArrayNames;
 
 namespace
 {
@@ -77,6 +79,20 @@ TEST(PJetFitting, GivesTheBytesOfOneRank)
   const Properties none = [](vtkJetFitting*) {};
   const NamedMesh named = SmallMeshes()[1];
   ExpectTheSameJets(OnOneRank(named.mesh, none), named, Partition::Random, none);
+}
+
+TEST(PJetFitting, GivesTheBytesOfOneRankWithBlendedNoisyFits)
+{
+  const Properties set = [](vtkJetFitting* filter) { filter->BlendNoisyFitsOn(); };
+  const Mesh clean = EllipsoidMesh(20, 1.4, 1.0, 0.6);
+  const NamedMesh named{ "noisy", AddNormalNoise(clean, 0.05 * MeanEdgeLength(clean), 3) };
+  const Expected expected = OnOneRank(named.mesh, set);
+  if (Controller()->GetLocalProcessId() == 0)
+  {
+    EXPECT_EQ(Value(expected.data->GetFieldData(), names::SelectedDegree, 0), 6.0); // of the last
+  }
+  ExpectTheSameJets(expected, named, Partition::Random, set);
+  ExpectTheSameJets(expected, named, Partition::Strips, set);
 }
 
 TEST(PJetFitting, GivesTheBytesOfOneRankInAnyNeighborhood)

@@ -66,6 +66,7 @@ void SetAll(vtkJetFitting* jets)
   jets->SetNumberOfRings(7);
   jets->SetRadius(0.125);
   jets->SetWeightingToGaussian();
+  jets->SetBlendNoisyFits(true);
   jets->SetStandardErrors(true);
 }
 

@@ -5,6 +5,7 @@
 //
 //   RidgesTruth <surface> [--points 20000] [--patch-size 2] [--seed 0] [--noise 0]
 //               [--degree 4] [--fit-points 18 | --rings 8 | --automatic] [--gaussian]
+//               [--blend-noisy-fits]
 //               [--smooth 0.01] [--exact] [--type-significance 3]
 //               [--reference 150000] [--cache <directory>] [--brief]
 //
@@ -12,8 +13,8 @@
 //   one of that kind.
 // --seed: other than 0, the mesh is turned, and points and triangles are renumbered, at random.
 // --noise: standard deviation of a displacement along the normals, in edges.
-// --degree, --fit-points, --rings, --automatic, --gaussian: of vtkJetFitting; its defaults if not
-// given.
+// --degree, --fit-points, --rings, --automatic, --gaussian, --blend-noisy-fits: of vtkJetFitting;
+// its defaults if not given.
 // --smooth: all orders by vtkMongeSmoothing, to this share of the diameter. 0: not at all.
 // --exact: the exact Monge forms instead of a fit. What is lost then, the mesh cannot show.
 // --type-significance: of vtkRidgeExtraction.
@@ -76,6 +77,7 @@ struct Options
   int fitPoints = 0;
   int rings = 0;
   bool automatic = false;
+  bool blendNoisyFits = false;
   bool gaussian = false;
   bool exact = false;
   double smooth = 0.0;
@@ -110,6 +112,11 @@ Options ParseOptions(int argc, char** argv)
     if (name == "--automatic")
     {
       options.automatic = true;
+      continue;
+    }
+    if (name == "--blend-noisy-fits")
+    {
+      options.blendNoisyFits = true;
       continue;
     }
     if (name == "--exact")
@@ -285,6 +292,7 @@ void SetFit(const Options& options, vtkJetFitting* jets)
   {
     jets->SetNeighborhoodToAutomatic();
   }
+  jets->SetBlendNoisyFits(options.blendNoisyFits);
 }
 
 //------------------------------------------------------------------------------

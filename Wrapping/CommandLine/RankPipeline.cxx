@@ -36,6 +36,7 @@ void SetProperties(Filters& filters, vtkRidgesAndUmbilics* all)
   all->SetNumberOfRings(jets->GetNumberOfRings());
   all->SetRadius(jets->GetRadius());
   all->SetWeighting(jets->GetWeighting());
+  all->SetBlendNoisyFits(jets->GetBlendNoisyFits());
   all->SetStandardErrors(jets->GetStandardErrors());
 
   vtkUmbilicDetection* umbilics = filters.umbilics;

@@ -364,9 +364,10 @@ void JetSelection::MayBlend()
     choice.numberOfRings <= mostRings &&
     (choice.noise < hardlyAny * this->Edge_ || leftOver < muchLess * choice.noise))
   {
-    const BlendedJet& last = BlendedJets.back();
-    choice = { last.degree, last.numberOfRings, 0, std::min(choice.noise, leftOver), this->Edge_ };
-    choice.isBlend = true;
+    const std::vector<BlendedJet> jets = JetsWithoutNoise();
+    const double noise = std::min(choice.noise, leftOver);
+    choice = { jets.back().degree, jets.back().numberOfRings, 0, noise, this->Edge_ };
+    choice.blend = jets;
   }
 }
 

@@ -25,8 +25,11 @@ struct JetChoice
   /// See JetTrial.h: where it is not about 0, the noise is not what `noise` says.
   double correlation = 0.0;
 
-  /// Whether BlendedJets suit the mesh better than a single fit: that of highest degree is given.
-  bool isBlend = false;
+  /// Several fits to be blended, the one above among them; none if that is to be taken alone.
+  std::vector<BlendedJet> blend = {};
+
+  /// That their weights allow for: 0 where there is hardly any.
+  double noiseInBlend = 0.0;
 };
 
 /**

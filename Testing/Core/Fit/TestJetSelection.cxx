@@ -184,12 +184,12 @@ TEST(JetSelection, BlendsWhereThereIsHardlyAnyNoise)
   {
     const Mesh mesh = Ellipsoid(frequency);
     const double edge = MeanEdgeLength(mesh);
-    EXPECT_TRUE(Choose(mesh, 3).isBlend) << frequency;
-    EXPECT_FALSE(Choose(mesh, 2).isBlend) << frequency;
-    EXPECT_FALSE(Choose(mesh, 3, 6).isBlend) << frequency;
+    EXPECT_FALSE(Choose(mesh, 3).blend.empty()) << frequency;
+    EXPECT_TRUE(Choose(mesh, 2).blend.empty()) << frequency;
+    EXPECT_TRUE(Choose(mesh, 3, 6).blend.empty()) << frequency;
     for (const double noise : { 1e-3, 0.01 })
     {
-      EXPECT_FALSE(Choose(AddNormalNoise(mesh, noise * edge, 3), 3).isBlend)
+      EXPECT_TRUE(Choose(AddNormalNoise(mesh, noise * edge, 3), 3).blend.empty())
         << frequency << " " << noise;
     }
   }
@@ -206,6 +206,43 @@ TEST(JetBlend, WeightIsOneOverTheSquareOfTheError)
   // A low degree is taken to be worse than it looks; no residual at all is no division by zero.
   EXPECT_LT(WeightInBlend({ 4, 2 }, 1e-3, 0.5, 100.0), weight);
   EXPECT_TRUE(std::isfinite(WeightInBlend(jet, 0.0, 0.5, 100.0)));
+}
+
+//------------------------------------------------------------------------------
+TEST(JetBlend, WeightInNoisyBlendIsOneOverTheSquareOfTheError)
+{
+  // 61 points and 45 coefficients: the residual that the noise leaves has 16 of 61 degrees of
+  // freedom. Where all of it is noise, the error is the standard error.
+  const BlendedJet jet{ 8, 4 };
+  const double residual = 1e-3;
+  const double radius = 0.5;
+  const double noise = radius * residual * std::sqrt(61.0 / 16.0);
+  const double weight = WeightInNoisyBlend(jet, noise, residual, radius, 100.0);
+  EXPECT_NEAR(weight, 6.25, 1e-9); // of an error of 100 * 1e-3 / 0.25
+  // What is left over of the surface counts for more: per point 0.05, thus 61 * 0.05 in all.
+  const double ofSurface = WeightInNoisyBlend(jet, 0.0, residual, radius, 100.0);
+  EXPECT_NEAR(ofSurface, 6.25 / (61.0 * 0.05), 1e-9);
+  EXPECT_NEAR(WeightInNoisyBlend(jet, 0.0, 2.0 * residual, radius, 100.0), ofSurface / 4.0, 1e-9);
+  // A low degree is worse than it looks; no residual at all is no division by zero.
+  EXPECT_LT(WeightInNoisyBlend({ 4, 4 }, 0.0, residual, radius, 100.0), ofSurface);
+  EXPECT_TRUE(std::isfinite(WeightInNoisyBlend(jet, 0.0, 0.0, radius, 100.0)));
+}
+
+//------------------------------------------------------------------------------
+// Fewer rings and more than those that are best for the mesh as a whole, the highest degree last.
+TEST(JetBlend, FitsWithNoiseHaveRingsAroundTheBest)
+{
+  for (const int best : { 3, 5, 12, 24 })
+  {
+    const std::vector<BlendedJet> jets = JetsWithNoise(best);
+    ASSERT_EQ(jets.size(), 3u);
+    EXPECT_LT(jets[0].numberOfRings, best);
+    EXPECT_GT(jets[1].numberOfRings, best);
+    EXPECT_GT(jets[2].numberOfRings, jets[1].numberOfRings);
+    EXPECT_EQ(jets[0].degree, 4);
+    EXPECT_EQ(jets[1].degree, 4);
+    EXPECT_EQ(jets[2].degree, 6);
+  }
 }
 
 //------------------------------------------------------------------------------

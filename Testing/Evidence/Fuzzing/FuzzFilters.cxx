@@ -32,6 +32,7 @@ void SetUp(vtkJetFitting* jets, FuzzBytes& bytes)
   jets->SetRadius(bytes.Number());
   jets->SetWeighting(bytes.Below(2));
   jets->SetStandardErrors(bytes.Flag());
+  jets->SetBlendNoisyFits(bytes.Flag());
 }
 
 //------------------------------------------------------------------------------
