@@ -159,8 +159,9 @@ for name in {names}:
             self.assertEqual(failed, set())
 
     def test_polygons_are_triangulated(self):
-        plane = simple.Superquadric(ThetaResolution=40, PhiResolution=40, Toroidal=0)
-        whole = simple.RidgesAndUmbilics(Input=plane)
+        # A sphere would have no ridges.
+        quadric = simple.Superquadric(ThetaResolution=40, PhiResolution=40, Toroidal=0, Scale=[1, 0.8, 0.6])
+        whole = simple.RidgesAndUmbilics(Input=quadric)
         with Messages() as messages:
             ridges = fetch(whole)
         self.assertGreater(ridges.GetNumberOfLines(), 0)
