@@ -10,6 +10,7 @@
 #include "vtkRidgesMakeArray.h"
 #include "vtkRidgesMesh.h"
 #include "vtkRidgesMongeOutput.h"
+#include "vtkRidgesOffenderText.h"
 #include "vtkRidgesUmbilicOutput.h"
 
 #include "vtkCellArray.h"
@@ -36,8 +37,6 @@ using ridges::Id;
 
 namespace
 {
-
-constexpr std::size_t MostOffendersTold = 20;
 
 vtkSmartPointer<vtkPoints> PointsOf(const ridges::CompliantMesh& mesh)
 {
@@ -92,12 +91,7 @@ struct Offenders
 
   std::string Text() const
   {
-    std::string text;
-    for (std::size_t i = 0; i < this->ids.size() && i < MostOffendersTold; ++i)
-    {
-      text += (i == 0 ? "" : ", ") + this->ids[i];
-    }
-    return text + (this->ids.size() > MostOffendersTold ? ", ..." : "");
+    return vtkRidgesOffenderText(this->ids.size(), [this](std::size_t i) { return this->ids[i]; });
   }
 };
 

@@ -7,6 +7,7 @@
 #include "vtkRidgesArrayReader.h"
 #include "vtkRidgesCheckText.h"
 #include "vtkRidgesHypotheses.h"
+#include "vtkRidgesOffenderText.h"
 
 #include "vtkCellData.h"
 #include "vtkPolyData.h"
@@ -21,8 +22,6 @@ using ridges::Id;
 
 namespace
 {
-
-constexpr std::size_t MostOffendersTold = 20;
 
 const char* KindName(ridges::OffenderKind kind)
 {
@@ -42,21 +41,9 @@ const char* KindName(ridges::OffenderKind kind)
   return "cell";
 }
 
-/// The text of the first ids.
-template <typename Text>
-std::string Join(std::size_t count, const Text& textOf)
-{
-  std::string text;
-  for (std::size_t i = 0; i < count && i < MostOffendersTold; ++i)
-  {
-    text += (i == 0 ? "" : ", ") + textOf(i);
-  }
-  return text + (count > MostOffendersTold ? ", ..." : "");
-}
-
 std::string OffenderText(const vtkRidgesMesh& mesh, const ridges::CoherenceCheck& check)
 {
-  return Join(check.offenders.size(),
+  return vtkRidgesOffenderText(check.offenders.size(),
     [&mesh, &check](std::size_t i)
     {
       const auto& ids = check.offenders[i].ids;
@@ -144,7 +131,7 @@ std::string vtkRidgesCheckTable::AddCertificate()
         std::to_string(triangles.NumberOfTriangles()) + " triangles" +
         (isGeneric ? "" : ": the surface is not generic there");
       row.severity = static_cast<int>(ridges::Severity::Uncertain);
-      row.offenders = Join(offenders.size(),
+      row.offenders = vtkRidgesOffenderText(offenders.size(),
         [this, &offenders](std::size_t i)
         { return std::to_string(this->Mesh.GetCellId(offenders[i])); });
       row.place = triangles.Centroid(offenders.front());
