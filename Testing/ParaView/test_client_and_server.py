@@ -13,13 +13,17 @@ from program import AgainstProgram
 from ridges_paraview import load_plugin
 
 
-def start_server():
-    """A pvserver that listens, and its port."""
+def command_of_server(option):
+    return [*shlex.split(os.environ["RIDGES_PVSERVER"]), option]
+
+
+def start_server(command=command_of_server):
+    """A pvserver that listens, and its port, which is an option of its command."""
     with socket.socket() as probe:
         probe.bind(("127.0.0.1", 0))
         port = probe.getsockname()[1]
     server = subprocess.Popen(
-        [*shlex.split(os.environ["RIDGES_PVSERVER"]), f"--server-port={port}"],
+        command(f"--server-port={port}"),
         stdout=subprocess.PIPE,
         stderr=subprocess.STDOUT,
         text=True,

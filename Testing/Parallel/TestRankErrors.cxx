@@ -11,10 +11,12 @@
 #include "vtkMultiBlockDataSet.h"
 #include "vtkMultiProcessController.h"
 #include "vtkNew.h"
+#include "vtkObjectFactory.h"
 #include "vtkPJetFitting.h"
 #include "vtkPRidgesAndUmbilics.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
+#include "vtkPolyDataAlgorithm.h"
 #include "vtkUnstructuredGrid.h"
 #include "vtkXMLPolyDataReader.h"
 
@@ -79,6 +81,22 @@ void ExpectErrorOnAllRanks(
   expect(ridges, vtkRidgesAndUmbilics::MESH);
 }
 
+/// Says that something is wrong, but not to the pipeline.
+class ReportingSource : public vtkPolyDataAlgorithm
+{
+public:
+  static ReportingSource* New() { VTK_STANDARD_NEW_BODY(ReportingSource); }
+
+protected:
+  ReportingSource() { this->SetNumberOfInputPorts(0); }
+
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override
+  {
+    vtkErrorMacro("half of it is missing.");
+    return 1;
+  }
+};
+
 std::string OnLastRank(const std::string& text)
 {
   return "on rank " + std::to_string(Controller()->GetNumberOfProcesses() - 1) + ": " + text;
@@ -110,6 +128,30 @@ TEST(RankErrors, PieceThatCannotBeRead)
         filter->SetInputConnection(reader->GetOutputPort());
       },
       OnLastRank("what makes the piece has failed"));
+  }
+}
+
+// Readers report what they cannot read, and go on.
+TEST(RankErrors, PieceWhoseMakerReportsAnError)
+{
+  for (const bool isObserved : { true, false })
+  {
+    if (IsAlone())
+    {
+      break;
+    }
+    std::vector<std::unique_ptr<MessageRecorder>> recorders;
+    ExpectErrorOnAllRanks(
+      [&recorders, isObserved](vtkPolyDataAlgorithm* filter, vtkPolyData*)
+      {
+        vtkNew<ReportingSource> source;
+        if (isObserved)
+        {
+          recorders.push_back(std::make_unique<MessageRecorder>(source));
+        }
+        filter->SetInputConnection(source->GetOutputPort());
+      },
+      OnLastRank("what makes the piece has failed (half of it is missing)"));
   }
 }
 

@@ -3,22 +3,33 @@
 #ifndef vtkRidgesRanksPipeline_h
 #define vtkRidgesRanksPipeline_h
 
-#include "vtkCompositeDataPipeline.h"
 #include "vtkRidgesCompatibility.h"
 
 #include <string>
+
+// ParaView keeps the pipeline of a filter only if it is of this kind.
+#ifdef RIDGES_FOR_PARAVIEW
+#include "vtkPVCompositeDataPipeline.h"
+using vtkRidgesAnyPipeline = vtkPVCompositeDataPipeline;
+#else
+#include "vtkCompositeDataPipeline.h"
+using vtkRidgesAnyPipeline = vtkCompositeDataPipeline;
+#endif
 
 VTK_ABI_NAMESPACE_BEGIN
 /**
  * Lets a filter run on all ranks, also on those where its input is missing, of another type, or
  * could not be made: others would wait for them. The filter has to find out what is wrong. Private
  * to the module.
+ *
+ * An input could not be made where what is before the filter says so, or has reported an error
+ * meanwhile: readers do this, and go on with what they have.
  */
-class vtkRidgesRanksPipeline : public vtkCompositeDataPipeline
+class vtkRidgesRanksPipeline : public vtkRidgesAnyPipeline
 {
 public:
   static vtkRidgesRanksPipeline* New();
-  vtkTypeMacro(vtkRidgesRanksPipeline, vtkCompositeDataPipeline);
+  vtkTypeMacro(vtkRidgesRanksPipeline, vtkRidgesAnyPipeline);
 
   /// Whether there are other ranks. If not, it is as any pipeline.
   void SetIsShared(bool isShared) { this->IsShared = isShared; }
@@ -37,9 +48,12 @@ private:
   using Superclass::InputTypeIsValid;
 
   vtkMTimeType TimeOfSource();
+  int ForwardAndListen(vtkInformation* request);
+  void Hear(vtkObject* reporter, unsigned long event, void* text);
 
   bool IsShared = false;
   bool HasFailed = false;
+  std::string Heard;           ///< The first error that was reported meanwhile.
   vtkMTimeType FailedTime = 0; ///< TimeOfSource, as it failed.
 };
 VTK_ABI_NAMESPACE_END
