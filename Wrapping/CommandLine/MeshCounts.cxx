@@ -166,4 +166,58 @@ MeshCounts CountMesh(vtkPolyData* mesh, const Ranks& ranks)
   return counts;
 }
 
+void PieceCounts::Add(vtkPolyData* piece)
+{
+  std::vector<MeshEdge> sides = SidesOf(piece, nullptr);
+  std::vector<char> isInner(piece->GetNumberOfPoints(), 0);
+  for (const MeshEdge& side : sides)
+  {
+    isInner[side.first] = 1;
+    isInner[side.second] = 1;
+  }
+  const auto placeOf = [piece](vtkIdType p)
+  {
+    Place place;
+    piece->GetPoint(p, place.data());
+    return place;
+  };
+  const auto count = [this, &isInner, &placeOf](const MeshEdge& edge, std::ptrdiff_t triangles)
+  {
+    this->NonManifoldEdges += triangles > 2 ? 1 : 0;
+    if (triangles == 1)
+    {
+      isInner[edge.first] = 0;
+      isInner[edge.second] = 0;
+      ++this->OpenEdges[std::minmax(placeOf(edge.first), placeOf(edge.second))];
+    }
+  };
+  ForEdges(sides, count);
+  for (vtkIdType p = 0; p < piece->GetNumberOfPoints(); ++p)
+  {
+    if (isInner[p] != 0)
+    {
+      ++this->InnerPoints;
+    }
+    else
+    {
+      this->OpenPoints.insert(placeOf(p));
+    }
+  }
+  this->Triangles += piece->GetNumberOfPolys();
+}
+
+MeshCounts PieceCounts::Counts() const
+{
+  MeshCounts counts;
+  counts.points = this->InnerPoints + static_cast<long long>(this->OpenPoints.size());
+  counts.triangles = this->Triangles;
+  counts.nonManifoldEdges = this->NonManifoldEdges;
+  for (const auto& [edge, pieces] : this->OpenEdges)
+  {
+    counts.borderEdges += pieces == 1 ? 1 : 0;
+    counts.nonManifoldEdges += pieces > 2 ? 1 : 0;
+  }
+  return counts;
+}
+
 } // namespace program

@@ -8,6 +8,9 @@
 #include "vtkPolyData.h"
 
 #include <array>
+#include <map>
+#include <set>
+#include <utility>
 
 namespace program
 {
@@ -33,6 +36,24 @@ struct MeshCounts
 /// Of a mesh, or of one that lies on several ranks in pieces, on the first of them. All have to
 /// call this.
 MeshCounts CountMesh(vtkPolyData* mesh, const Ranks& ranks);
+
+/// The same of a mesh that comes piece by piece, but for points by FitStatus and zones. Points and
+/// edges along seams are known by their places.
+class PieceCounts
+{
+public:
+  void Add(vtkPolyData* piece);
+  MeshCounts Counts() const;
+
+private:
+  using Place = std::array<double, 3>;
+
+  long long InnerPoints = 0;
+  long long Triangles = 0;
+  long long NonManifoldEdges = 0;
+  std::set<Place> OpenPoints;                       ///< Those of open edges, or of no triangle.
+  std::map<std::pair<Place, Place>, int> OpenEdges; ///< How many pieces each is open in.
+};
 
 } // namespace program
 

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <vector>
 
 namespace program
 {
@@ -198,17 +199,26 @@ void CheckChecks(const CLI::App& app, const Options& options, const Filters& fil
   }
 }
 
-/// What takes the whole mesh on one rank, or a filter that knows of one only.
+/// What takes the whole mesh at once on one rank, or a filter that knows of nothing else.
 void CheckRanks(const CLI::App& app, Options& options)
 {
-  if (options.numberOfRanks == 1)
+  const bool areSeveral = options.numberOfRanks > 1;
+  if (!areSeveral && options.pieces == 1)
   {
     return;
   }
-  const auto refuse = [](const std::string& name, const std::string& reason)
-  { throw Contradiction(name + " does not work on several ranks (mpirun)" + reason); };
-  constexpr std::array<const char*, 9> names = { "--salient", "--monge-order", "--extract",
-    "--crest-only", "--extremality-rule", "--check", "--picture-size", "--view", "--up" };
+  const auto refuse = [areSeveral](const std::string& name, const std::string& reason)
+  {
+    throw Contradiction(name + " does not work " +
+      (areSeveral ? "on several ranks (mpirun)" : "with --pieces") + reason);
+  };
+  if (!areSeveral && !IsOfPieces(options.mesh))
+  {
+    throw Contradiction("--pieces needs a MESH that is in pieces, a .pvtp");
+  }
+  std::vector<const char*> names = { "--salient", "--monge-order", "--extract", "--crest-only",
+    "--extremality-rule", "--check", "--picture-size", "--view", "--up" };
+  names.push_back(areSeveral ? "--pieces" : "--write-mesh");
   for (const CLI::Option* option : app.get_options())
   {
     const bool isNamed = std::any_of(

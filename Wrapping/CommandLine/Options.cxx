@@ -43,6 +43,13 @@ void AddInput(CLI::App& app, Options& options, vtkRidgeExampleSource* example)
     "--orient", [&options](bool on) { options.repair.orient = on; },
     "give neighbouring faces of MESH the same orientation, outward on closed parts");
   group
+    .Number<int>(
+      "--pieces", "N", options.pieces, { 1, VTK_INT_MAX },
+      [&options](int value) { options.pieces = value; },
+      "read MESH, a .pvtp, in N parts, one after the other, where all of it would take too much "
+      "memory: the same ridges, without a picture")
+    ->needs(mesh);
+  group
     .Choice(
       "--surface",
       { { "blend", vtkRidgeExampleSource::BLEND },

@@ -43,8 +43,9 @@ struct Filters
   vtkNew<vtkRidgeExtraction> ridges;
   vtkNew<vtkRidgeCoherence> coherence;
   vtkNew<vtkRidgeSharpnessFilter> sharpness;
-  vtkNew<vtkSalientRidges> salient;              ///< From the mesh, instead of the others.
-  vtkSmartPointer<vtkRidgesAndUmbilics> onRanks; ///< Instead of all from fit to filter.
+  vtkNew<vtkSalientRidges> salient; ///< From the mesh, instead of the others.
+  vtkSmartPointer<vtkRidgesAndUmbilics>
+    onRanks; ///< Instead of all from fit to filter; in pieces, too.
 };
 
 /// What is no property of a filter.
@@ -68,6 +69,7 @@ struct Options
   PictureOptions picture;
   int threads = 0; ///< 0: all.
   int numberOfRanks = 1;
+  int pieces = 1; ///< In how many parts the mesh is taken, one after the other.
   bool quiet = false;
 };
 

@@ -7,6 +7,7 @@
 #include "Options.h"
 #include "OutputFiles.h"
 #include "Picture.h"
+#include "PiecePipeline.h"
 #include "Pipeline.h"
 #include "RankPipeline.h"
 #include "Ranks.h"
@@ -211,6 +212,10 @@ ExitCode Run(const Options& options, Filters& filters, const Ranks& ranks)
   {
     RunOnRanks(options, filters, ranks, stages, results);
   }
+  else if (options.pieces > 1)
+  {
+    RunInPieces(options, filters, stages, results);
+  }
   else
   {
     RunFilters(options, filters, stages, results);
@@ -227,7 +232,7 @@ ExitCode Run(const Options& options, Filters& filters, const Ranks& ranks)
     [&options, &results, &picture, &ranks] { WriteFiles(options, results, picture, ranks); });
   if (!options.quiet)
   {
-    const MeshCounts counts = CountMesh(results.mesh, ranks);
+    const MeshCounts counts = results.counts ? *results.counts : CountMesh(results.mesh, ranks);
     PrintReport(std::cout, results, counts, stages.GetDurations(), FilesToWrite(options));
   }
   const vtkIdType failed = results.checks ? CountFailedChecks(results.checks) : 0;

@@ -71,6 +71,17 @@ void SetProperties(Filters& filters, vtkRidgesAndUmbilics* all)
   all->SetRankBy(selection->GetRankBy());
 }
 
+void TakeResults(vtkRidgesAndUmbilics* all, Results& results)
+{
+  results.mesh = all->GetOutput(vtkRidgesAndUmbilics::MESH);
+  results.umbilics = all->GetOutput(vtkRidgesAndUmbilics::UMBILICS);
+  results.ridges = all->GetOutput(vtkRidgesAndUmbilics::RIDGES);
+  results.allRidges = results.ridges;
+  auto* fit = vtkStringArray::SafeDownCast(
+    results.mesh->GetFieldData()->GetAbstractArray(vtkRidgesArrayNames::SelectedFit));
+  results.selectedFit = fit ? fit->GetValue(0) : std::string();
+}
+
 #ifdef RIDGES_HAVE_MPI
 namespace
 {
@@ -125,15 +136,9 @@ void RunOnRanks(
   all->SetInputData(piece);
   stages.Run("ridges", "see the options in vtkridges --help-all", all, [all] { all->Update(); });
 
-  results.mesh = all->GetOutput(vtkRidgesAndUmbilics::MESH);
-  results.umbilics = all->GetOutput(vtkRidgesAndUmbilics::UMBILICS);
-  results.ridges = all->GetOutput(vtkRidgesAndUmbilics::RIDGES);
-  results.allRidges = results.ridges;
+  TakeResults(all, results);
   results.lineChoice =
     "all ridges, as always on several ranks (" + std::to_string(ranks.Size()) + " here)";
-  auto* fit = vtkStringArray::SafeDownCast(
-    results.mesh->GetFieldData()->GetAbstractArray(vtkRidgesArrayNames::SelectedFit));
-  results.selectedFit = fit ? fit->GetValue(0) : std::string();
 }
 
 #else

@@ -20,6 +20,9 @@ void RunOnRanks(
 /// Sets the properties of the stages, from fit to filter, on the filter that replaces them there.
 void SetProperties(Filters& filters, vtkRidgesAndUmbilics* all);
 
+/// Ports and choice of fit of this filter become the results.
+void TakeResults(vtkRidgesAndUmbilics* all, Results& results);
+
 /// The name of the file for a rank's piece of a mesh in a .pvtp of this name.
 std::string NameOfPiece(const std::string& fileName, int rank);
 

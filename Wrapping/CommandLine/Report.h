@@ -9,6 +9,7 @@
 #include "vtkPolyData.h"
 #include "vtkTable.h"
 
+#include <optional>
 #include <ostream>
 #include <string>
 #include <vector>
@@ -31,6 +32,7 @@ struct Results
   std::string lineChoice;           ///< Which lines the data decided for, and why; or empty.
   std::size_t joinedPoints = 0;     ///< Points of the file that became one with others.
   std::string selectedFit;          ///< What the fit chose; empty if it did not choose.
+  std::optional<MeshCounts> counts; ///< Where the mesh is only a part of what was read.
 };
 
 /// Prints the table at the end of the job.
