@@ -264,15 +264,14 @@ void vtkRidgesOwnedFits::LookAt(
 /// By their status, those that were not counted before.
 void vtkRidgesOwnedFits::CountPoints(const std::vector<Id>& points, vtkIntArray* status)
 {
-  this->IsCounted.resize(this->SeenOf.size(), 0);
+  this->IsCounted.resize(this->SeenOf.size(), false);
   vtkNew<vtkIntArray> statuses;
   for (std::size_t i = 0; i < points.size(); ++i)
   {
-    char& isCounted = this->IsCounted[points[i]];
-    if (isCounted == 0)
+    if (!this->IsCounted[points[i]])
     {
       statuses->InsertNextValue(status->GetValue(static_cast<vtkIdType>(i)));
-      isCounted = 1;
+      this->IsCounted[points[i]] = true;
     }
   }
   this->Faults.CountPoints(statuses);

@@ -88,7 +88,7 @@ private:
     OnBorder
   };
   std::vector<Seen> SeenOf;    ///< Owned points: whether they were looked at.
-  std::vector<char> IsCounted; ///< Owned points: by their status.
+  std::vector<bool> IsCounted; ///< Owned points: by their status.
   vtkRidgesFitFaults Faults;
   std::int64_t Fans = 0;        ///< Of owned points: see TriangleMesh::NumberOfFans.
   std::int64_t SharedEdges = 0; ///< With two triangles, each counted at both ends.

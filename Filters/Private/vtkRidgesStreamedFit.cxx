@@ -16,11 +16,25 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <algorithm>
 
 using ridges::Id;
+
+namespace
+{
+
+/// What the mesh of a piece becomes, without what it takes to make that.
+vtkSmartPointer<vtkPolyData> TrianglesOf(vtkPolyData* piece)
+{
+  vtkRidgesMesh mesh;
+  mesh.Build(piece, {}, ridges::TriangleMesh::Edges::NotBuilt, vtkRidgesMesh::Duplicates::LeftOut);
+  return mesh.GetPolyData();
+}
+
+} // namespace
 
 vtkMTimeType vtkRidgesTimeOfSource(vtkAlgorithm* filter)
 {
@@ -131,23 +145,44 @@ int vtkRidgesStreamedFit::FitPiece(
   {
     return 1;
   }
-  vtkRidgesMesh mesh;
-  mesh.Build(input, {}, ridges::TriangleMesh::Edges::NotBuilt, vtkRidgesMesh::Duplicates::LeftOut);
-  const std::vector<Id>& points = this->Pieces.PointsOf(this->IndexOf(piece));
-  if (mesh.GetPolyData()->GetNumberOfPoints() != static_cast<vtkIdType>(points.size()))
+  const vtkSmartPointer<vtkPolyData> triangles = TrianglesOf(input);
+  const std::vector<Id> points = this->Pieces.PointsOf(this->IndexOf(piece));
+  if (triangles->GetNumberOfPoints() != static_cast<vtkIdType>(points.size()))
   {
     vtkErrorWithObjectMacro(
       filter, "Piece " << piece << " is not the one that it was when it was asked for first.");
     return 0;
   }
+  vtkNew<vtkPointData> values;
+  if (!this->FitPoints(points, values))
+  {
+    return 1;
+  }
+  this->Fits->Store(triangles, values, output);
+  this->IsFitted[piece] = 1;
+  if (std::count(this->IsFitted.begin(), this->IsFitted.end(), 0) == 0)
+  {
+    this->Warn(filter);
+    this->IsFitted.assign(this->NumberOfPieces, 0);
+  }
+  return 1;
+}
+
+/// False if the user aborted.
+bool vtkRidgesStreamedFit::FitPoints(const std::vector<Id>& points, vtkPointData* values)
+{
   // Several points of a piece may be one, if no triangle of the piece has them.
   std::vector<Id> different = points;
   std::sort(different.begin(), different.end());
   different.erase(std::unique(different.begin(), different.end()), different.end());
-  vtkNew<vtkPointData> values;
-  if (!this->Fits->FitAndAverage(different, values))
+  if (different.size() == points.size())
   {
-    return 1;
+    return this->Fits->FitAndAverage(points, values);
+  }
+  vtkNew<vtkPointData> ofDifferent;
+  if (!this->Fits->FitAndAverage(different, ofDifferent))
+  {
+    return false;
   }
   std::vector<Id> rows(points.size());
   std::transform(points.begin(), points.end(), rows.begin(),
@@ -156,16 +191,8 @@ int vtkRidgesStreamedFit::FitPiece(
       return static_cast<Id>(
         std::lower_bound(different.begin(), different.end(), p) - different.begin());
     });
-  vtkNew<vtkPointData> ofPiece;
-  vtkRidgesPickRows(values, rows, ofPiece);
-  this->Fits->Store(mesh.GetPolyData(), ofPiece, output);
-  this->IsFitted[piece] = 1;
-  if (std::count(this->IsFitted.begin(), this->IsFitted.end(), 0) == 0)
-  {
-    this->Warn(filter);
-    this->IsFitted.assign(this->NumberOfPieces, 0);
-  }
-  return 1;
+  vtkRidgesPickRows(ofDifferent, rows, values);
+  return true;
 }
 
 void vtkRidgesStreamedFit::Warn(vtkJetFitting* filter) const

@@ -20,6 +20,7 @@ class vtkAlgorithm;
 class vtkInformation;
 class vtkInformationVector;
 class vtkJetFitting;
+class vtkPointData;
 class vtkPolyData;
 VTK_ABI_NAMESPACE_END
 
@@ -67,6 +68,7 @@ private:
   int NextPiece() const;
   int IndexOf(int piece) const;
   std::string FinishTaking();
+  bool FitPoints(const std::vector<ridges::Id>& points, vtkPointData* values);
 
   int NumberOfPieces;
   int First;

@@ -64,13 +64,14 @@ bool vtkRidgesStreamedGathering::Take(
   this->Known.assign(count, ridges::TriangleContent::Nothing);
   this->Radii.assign(count, 0.0);
   this->IdInPiece.assign(count, -1);
-  this->PartMayDo = true;
+  this->WithContent = 0;
+  this->PartMayDo = !extent.isAll && fit.GetMesh().Points().Coincident().empty();
   if (!fit.Choose(jets))
   {
     return false;
   }
   const int pieces = fit.GetNumberOfPieces();
-  for (int piece = 0; piece < pieces; ++piece)
+  for (int piece = 0; piece < pieces && this->PartMayDo; ++piece)
   {
     constexpr double begin = 0.3;
     constexpr double share = 0.6;
@@ -81,17 +82,35 @@ bool vtkRidgesStreamedGathering::Take(
     }
   }
   this->IdInPiece = {};
-  fit.Warn(jets);
-  ridges::SharedSurface surface;
-  fit.GetFits().KeepSurface(surface);
-  this->PartMayDo = this->PartMayDo && !surface.hasCoincident;
+  // Else the fits of all points, which are made as they are packed, are what there is to warn of.
+  this->WarnsLater = this->PartMayDo ? nullptr : jets;
   if (this->PartMayDo)
   {
+    fit.Warn(jets);
+    ridges::SharedSurface surface;
+    fit.GetFits().KeepSurface(surface);
     ridges::OneRank alone;
     this->Know(alone, surface, surface.onBorder, this->Radii.data());
   }
   this->Radii = {};
   return true;
+}
+
+/// Whether the pieces so far leave no doubt that all triangles will be needed, as with noise: then
+/// the other pieces are not fitted twice.
+bool vtkRidgesStreamedGathering::NeedsAll(
+  ridges::Span<ridges::Triangle> triangles, const Contents& contents, Id taken)
+{
+  constexpr double fewest = 0.1; // of the mesh
+  constexpr double most = 0.9;   // of what was looked at
+  this->WithContent += std::count_if(triangles.begin(), triangles.end(),
+    [&contents](const ridges::Triangle& corners)
+    {
+      return std::any_of(corners.begin(), corners.end(),
+        [&contents](Id p) { return contents[p] != ridges::TriangleContent::Nothing; });
+    });
+  return taken > fewest * this->Mesh->NumberOfTriangles() &&
+    static_cast<double>(this->WithContent) > most * taken;
 }
 
 /// Fits the points of a piece.
@@ -118,8 +137,11 @@ bool vtkRidgesStreamedGathering::TakePiece(int piece, vtkAlgorithm* filter, cons
       [this](Id p) { return this->IdInPiece[p]; });
   }
   const auto data = DataOf(*this->Mesh, points, this->Fit->GetCoordinateType(), values);
-  const Contents contents = vtkRidgesGathering::ContentsOf(
-    filter, data, { triangles.data(), triangles.data() + triangles.size() }, extent);
+  const ridges::Span<ridges::Triangle> ofPiece = { triangles.data(),
+    triangles.data() + triangles.size() };
+  const Contents contents = vtkRidgesGathering::ContentsOf(filter, data, ofPiece, extent);
+  const Id taken = this->Fit->GetPieces().FirstTriangle(piece + 1);
+  this->PartMayDo = !this->NeedsAll(ofPiece, contents, taken);
   auto* status = vtkIntArray::SafeDownCast(data->GetPointData()->GetArray(names::FitStatus));
   auto* scale = vtkDoubleArray::SafeDownCast(data->GetPointData()->GetArray(names::FitScale));
   for (std::size_t i = 0; i < points.size(); ++i)
@@ -148,6 +170,11 @@ void vtkRidgesStreamedGathering::PackPoints(ridges::Bytes& message, const std::v
   {
     return; // aborted
   }
+  if (this->WarnsLater)
+  {
+    this->Fit->Warn(this->WarnsLater);
+    this->WarnsLater = nullptr;
+  }
   const auto data = DataOf(*this->Mesh, points, this->Fit->GetCoordinateType(), values);
   std::vector<Id> all(points.size());
   std::iota(all.begin(), all.end(), 0);
@@ -164,6 +191,7 @@ void vtkRidgesStreamedGathering::Release()
   this->Fit = nullptr;
   this->Mesh = nullptr;
   this->Known = {};
+  this->PartMayDo = true;
 }
 
 void vtkRidgesStreamedGathering::Store(vtkPolyData* part, vtkPolyData* output) const

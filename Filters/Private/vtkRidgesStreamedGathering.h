@@ -21,8 +21,8 @@ class vtkRidgesStreamedFit;
 class vtkRidgesStreamedGathering : public vtkRidgesGathering
 {
 public:
-  /// Fits all pieces. False if the user aborted. `filter` chooses the arrays; all have to stay
-  /// until nothing is gathered any more.
+  /// Fits all pieces, unless the whole mesh is needed, which is fitted later. False if the user
+  /// aborted. `filter` chooses the arrays; all have to stay until nothing is gathered any more.
   bool Take(
     vtkRidgesStreamedFit& fit, vtkJetFitting* jets, vtkAlgorithm* filter, const Extent& extent);
 
@@ -39,11 +39,15 @@ protected:
 
 private:
   bool TakePiece(int piece, vtkAlgorithm* filter, const Extent& extent);
+  bool NeedsAll(
+    ridges::Span<ridges::Triangle> triangles, const Contents& contents, ridges::Id taken);
 
   vtkRidgesStreamedFit* Fit = nullptr;
   Contents Known;
   std::vector<double> Radii;         ///< Of fits.
   std::vector<ridges::Id> IdInPiece; ///< Of points of the piece that is taken; else -1.
+  std::int64_t WithContent = 0;      ///< Triangles of pieces in which, or beside, something may be.
+  vtkJetFitting* WarnsLater = nullptr;
 };
 
 #endif

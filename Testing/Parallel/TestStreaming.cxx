@@ -21,6 +21,7 @@
 #include "vtkPolyDataAlgorithm.h"
 #include "vtkRidgesArrayNames.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkUmbilicDetection.h"
 
 #include <gtest/gtest.h>
 
@@ -154,18 +155,22 @@ std::vector<vtkIdType> NamesOf(
 }
 
 /// Umbilics and ridges; the mesh is the part with what is known of it.
-void ExpectTheSameRidges(const NamedMesh& named, Partition partition, int pieces)
+void ExpectTheSameRidges(
+  const NamedMesh& named, Partition partition, int pieces,
+  const std::function<void(vtkRidgesAndUmbilics*)>& set = [](vtkRidgesAndUmbilics*) {})
 {
   SCOPED_TRACE(std::string(named.name) + ", partition " +
     std::to_string(static_cast<int>(partition)) + ", pieces: " + std::to_string(pieces));
   vtkNew<vtkRidgesAndUmbilics> whole;
   const MessageRecorder wholeRecorder(whole);
+  set(whole);
   whole->SetInputData(ToPolyData(named.mesh));
   whole->Update();
   vtkNew<PieceSource> source;
   source->SetMesh(named.mesh, partition);
   vtkNew<vtkPRidgesAndUmbilics> streamed;
   const MessageRecorder recorder(streamed);
+  set(streamed);
   streamed->SetNumberOfPieces(pieces);
   streamed->SetInputConnection(source->GetOutputPort());
   streamed->Update();
@@ -232,6 +237,26 @@ TEST(Streaming, GivesTheRidgesOfTheWholeMesh)
   ExpectTheSameRidges(ellipsoid, Partition::Blocks, 8);
   ExpectTheSameRidges(ellipsoid, Partition::Blocks, 64);
   ExpectTheSameRidges(SmallMeshes()[4], Partition::Random, 3);
+}
+
+// Which is known before any piece is fitted, or after some of them.
+TEST(Streaming, GivesTheRidgesOfTheWholeMeshWhereAllOfItIsNeeded)
+{
+  if (!IsAlone())
+  {
+    return;
+  }
+  const auto byMinima = [](vtkRidgesAndUmbilics* filter)
+  { filter->SetMethod(vtkUmbilicDetection::MINIMA); };
+  const auto withFolds = [](vtkRidgesAndUmbilics* filter) { filter->SetComputeFoldAngle(true); };
+  const NamedMesh ellipsoid = { "ellipsoid", EllipsoidMesh(32, 1.0, 0.8, 0.6) };
+  ExpectTheSameRidges(ellipsoid, Partition::Blocks, 8, byMinima);
+  ExpectTheSameRidges(ellipsoid, Partition::Blocks, 8, withFolds);
+  Mesh spiked = AddNormalNoise(ellipsoid.mesh, 0.0005, 3);
+  spiked.AddPoint(1.2 * spiked.Point(spiked.triangles[0])); // a fin, of which is warned
+  spiked.AddTriangle(
+    spiked.triangles[0], spiked.triangles[1], static_cast<std::int32_t>(spiked.PointCount()) - 1);
+  ExpectTheSameRidges({ "noisy ellipsoid with a fin", spiked }, Partition::Blocks, 64);
 }
 
 TEST(Streaming, GivesTheJetsOfTheWholeMesh)

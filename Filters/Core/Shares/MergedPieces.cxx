@@ -74,14 +74,15 @@ void MergedPieces::Add(const MeshPiece& piece)
     this->Triangles_[next++] = { points[corners[0]], points[corners[1]], points[corners[2]] };
   }
   this->FirstTriangle_.push_back(next);
-  this->IsRepeated_ = this->IsRepeated_ || this->IsTheOneBefore(points);
-  this->PointsOf_.push_back(std::move(points));
+  IdRuns runs(points);
+  this->IsRepeated_ = this->IsRepeated_ || this->IsTheOneBefore(runs);
+  this->PointsOf_.push_back(std::move(runs));
 }
 
 /// Whether the triangles of a piece, the last, are those of the piece before.
-bool MergedPieces::IsTheOneBefore(const std::vector<Id>& points) const
+bool MergedPieces::IsTheOneBefore(const IdRuns& points) const
 {
-  if (this->PointsOf_.empty() || points != this->PointsOf_.back())
+  if (this->PointsOf_.empty() || !(points == this->PointsOf_.back()))
   {
     return false;
   }
@@ -163,31 +164,38 @@ Id MergedPieces::Take(const Place& x, Id firstOfPiece)
 void MergedPieces::TakeUnused()
 {
   this->GrowTable(static_cast<std::size_t>(this->NumberOfPoints()) + this->Unused_.size());
-  int sortedPiece = -1;
-  std::vector<Id> sorted;
-  for (const Unused& unused : this->Unused_)
+  for (auto begin = this->Unused_.cbegin(); begin != this->Unused_.cend();)
   {
-    std::vector<Id>& points = this->PointsOf_[unused.piece];
-    if (unused.piece != sortedPiece)
-    {
-      sortedPiece = unused.piece;
-      sorted = points;
-      std::sort(sorted.begin(), sorted.end());
-    }
-    const std::size_t slot = this->SlotOf(unused.x);
-    Id& known = this->Table_[slot];
+    const int piece = begin->piece;
+    const auto end = std::find_if(
+      begin, this->Unused_.cend(), [piece](const Unused& unused) { return unused.piece != piece; });
+    this->TakeUnusedOf(piece, begin, end);
+    begin = end;
+  }
+  this->Unused_ = {};
+}
+
+void MergedPieces::TakeUnusedOf(
+  int piece, std::vector<Unused>::const_iterator begin, std::vector<Unused>::const_iterator end)
+{
+  std::vector<Id> points = this->PointsOf_[piece].Ids();
+  std::vector<Id> sorted = points;
+  std::sort(sorted.begin(), sorted.end());
+  for (; begin != end; ++begin)
+  {
+    Id& known = this->Table_[this->SlotOf(begin->x)];
     if (known < 0)
     {
-      known = this->Append(unused.x);
-      points[unused.point] = known;
+      known = this->Append(begin->x);
+      points[begin->point] = known;
     }
     else
     {
       const bool hasIt = std::binary_search(sorted.begin(), sorted.end(), known);
-      points[unused.point] = hasIt ? this->AppendBeside(known, unused.x) : known;
+      points[begin->point] = hasIt ? this->AppendBeside(known, begin->x) : known;
     }
   }
-  this->Unused_ = {};
+  this->PointsOf_[piece] = IdRuns(points);
 }
 
 Place MergedPieces::PlaceOf(Id p) const

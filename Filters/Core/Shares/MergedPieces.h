@@ -4,6 +4,7 @@
 #define ridges_MergedPieces_h
 
 #include "Base/Buffer.h"
+#include "Shares/IdRuns.h"
 #include "Shares/SharedPoints.h"
 
 #include <array>
@@ -38,7 +39,7 @@ public:
   Id NumberOfPoints() const { return static_cast<Id>(this->Positions_.size() / 3); }
 
   /// The points that those of a piece are.
-  const std::vector<Id>& PointsOf(int piece) const { return this->PointsOf_[piece]; }
+  std::vector<Id> PointsOf(int piece) const { return this->PointsOf_[piece].Ids(); }
 
   /// The first triangle of a piece; of the piece after the last: how many there are.
   Id FirstTriangle(int piece) const { return this->FirstTriangle_[piece]; }
@@ -64,14 +65,16 @@ private:
   Id Append(const std::array<double, 3>& x);
   Id Take(const std::array<double, 3>& x, Id firstOfPiece);
   Id AppendBeside(Id first, const std::array<double, 3>& x);
-  bool IsTheOneBefore(const std::vector<Id>& points) const;
+  bool IsTheOneBefore(const IdRuns& points) const;
   void TakeUnused();
+  void TakeUnusedOf(
+    int piece, std::vector<Unused>::const_iterator begin, std::vector<Unused>::const_iterator end);
   void GrowTable(std::size_t places);
 
   std::vector<double> Positions_;
   int Expected_;
   Buffer<Triangle> Triangles_; ///< Larger than it has to be, before the end.
-  std::vector<std::vector<Id>> PointsOf_;
+  std::vector<IdRuns> PointsOf_;
   std::vector<Id> FirstTriangle_{ 0 };
   std::vector<Unused> Unused_; ///< By triangles.
   std::vector<Id> Coincident_;

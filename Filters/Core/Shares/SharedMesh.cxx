@@ -363,7 +363,7 @@ MeshShare::MeshShare(Ranks& ranks, SharedMesh& shared, std::vector<Id> points, i
   : NumberOfInner_(static_cast<Id>(points.size()))
   , Owners_(shared.Points())
 {
-  std::vector<Id> ownId(shared.NumberOfPoints(), -1);
+  SparseIds ownId(shared.NumberOfPoints());
   const std::vector<Id> triangles = Spread(ranks, shared, points, ownId, rings);
   this->Positions_.reserve(3 * points.size());
   this->Numbers_.reserve(points.size());
@@ -407,13 +407,13 @@ std::vector<Id> MeshShare::Owned() const
 /// Ring after ring: appends the points of each, and gives the triangles around all but the last.
 /// `ownId` has the places of the points, or -1.
 std::vector<Id> MeshShare::Spread(
-  Ranks& ranks, SharedMesh& shared, std::vector<Id>& points, std::vector<Id>& ownId, int rings)
+  Ranks& ranks, SharedMesh& shared, std::vector<Id>& points, SparseIds& ownId, int rings)
 {
   std::vector<bool> isTriangle;
   std::vector<Id> triangles;
   for (std::size_t p = 0; p < points.size(); ++p)
   {
-    ownId[points[p]] = static_cast<Id>(p);
+    ownId.Set(points[p], static_cast<Id>(p));
   }
   std::size_t begin = 0;
   for (int ring = 0; ring <= rings; ++ring)
@@ -423,7 +423,7 @@ std::vector<Id> MeshShare::Spread(
     std::copy_if(points.begin() + static_cast<std::ptrdiff_t>(begin), points.end(),
       std::back_inserter(missing), [&shared](Id p) { return !shared.IsComplete(p); });
     shared.Ask(ranks, missing);
-    ownId.resize(shared.NumberOfPoints(), -1);
+    ownId.Grow(shared.NumberOfPoints());
     isTriangle.resize(shared.NumberOfTrianglesHere(), false);
     for (std::size_t i = begin; i < end; ++i)
     {
@@ -439,7 +439,7 @@ std::vector<Id> MeshShare::Spread(
         {
           if (ownId[p] < 0)
           {
-            ownId[p] = static_cast<Id>(points.size());
+            ownId.Set(p, static_cast<Id>(points.size()));
             points.push_back(p);
           }
         }

@@ -6,6 +6,7 @@
 #include "Mesh/TriangleMesh.h"
 #include "Shares/MergedPieces.h"
 #include "Shares/SharedPoints.h"
+#include "Shares/SparseIds.h"
 
 #include <array>
 #include <cstdint>
@@ -157,7 +158,7 @@ public:
 
 private:
   static std::vector<Id> Spread(
-    Ranks& ranks, SharedMesh& shared, std::vector<Id>& points, std::vector<Id>& ownId, int rings);
+    Ranks& ranks, SharedMesh& shared, std::vector<Id>& points, SparseIds& ownId, int rings);
 
   std::vector<std::int64_t> Numbers_;
   std::vector<double> Positions_;
