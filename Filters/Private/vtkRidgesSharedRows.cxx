@@ -12,7 +12,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <type_traits>
 #include <vector>
 
 namespace
@@ -20,30 +19,30 @@ namespace
 
 /// The array of the same name and components with other rows; null if it is of another type.
 template <typename Array, typename Rows>
-vtkSmartPointer<vtkDataArray> WithRows(vtkDataArray* array, const Rows& rowsOf)
+vtkSmartPointer<vtkDataArray> WithRows(vtkDataArray* array, vtkIdType count, const Rows& setRows)
 {
   auto* typed = Array::SafeDownCast(array);
   if (!typed)
   {
     return nullptr;
   }
-  const int width = typed->GetNumberOfComponents();
-  const auto rows = rowsOf(typed->GetPointer(0), width);
   auto result = vtkRidgesMakeArrayLike(typed);
-  result->SetNumberOfTuples(static_cast<vtkIdType>(rows.size()) / width);
-  std::copy(rows.begin(), rows.end(), Array::SafeDownCast(result)->GetPointer(0));
+  result->SetNumberOfTuples(count);
+  setRows(typed->GetPointer(0), typed->GetNumberOfComponents(),
+    Array::SafeDownCast(result)->GetPointer(0));
   return result;
 }
 
 template <typename Rows>
-void ForArrays(vtkPointData* from, vtkPointData* to, const Rows& rowsOf)
+void ForArrays(vtkPointData* from, vtkPointData* to, std::size_t numberOfRows, const Rows& setRows)
 {
+  const auto count = static_cast<vtkIdType>(numberOfRows);
   while (from->GetNumberOfArrays() > 0)
   {
-    auto array = WithRows<vtkDoubleArray>(from->GetArray(0), rowsOf);
+    auto array = WithRows<vtkDoubleArray>(from->GetArray(0), count, setRows);
     if (!array)
     {
-      array = WithRows<vtkIntArray>(from->GetArray(0), rowsOf);
+      array = WithRows<vtkIntArray>(from->GetArray(0), count, setRows);
     }
     to->AddArray(array);
     from->RemoveArray(0); // as both would be much
@@ -56,30 +55,30 @@ void ForArrays(vtkPointData* from, vtkPointData* to, const Rows& rowsOf)
 void vtkRidgesRowsOfPiece(ridges::Ranks& ranks, const ridges::SharedPoints& points,
   vtkPointData* owned, vtkPointData* piece)
 {
-  ForArrays(owned, piece,
-    [&ranks, &points](const auto* values, int width)
-    { return points.ToPiece(ranks, values, width); });
+  ForArrays(owned, piece, points.NumbersOfPiece().size(),
+    [&ranks, &points](const auto* values, int width, auto* rows)
+    { points.ToPiece(ranks, values, width, rows); });
 }
 
 void vtkRidgesRowsOfShare(
   ridges::Ranks& ranks, const ridges::MeshShare& share, vtkPointData* owned, vtkPointData* values)
 {
-  ForArrays(owned, values,
-    [&ranks, &share](const auto* rows, int width) { return share.Rows(ranks, rows, width); });
+  ForArrays(owned, values, static_cast<std::size_t>(share.Mesh().NumberOfPoints()),
+    [&ranks, &share](const auto* from, int width, auto* rows)
+    {
+      const auto ofShare = share.Rows(ranks, from, width);
+      std::copy(ofShare.begin(), ofShare.end(), rows);
+    });
 }
 
 void vtkRidgesPickRows(vtkPointData* values, const std::vector<ridges::Id>& rows, vtkPointData* to)
 {
-  ForArrays(values, to,
-    [&rows](const auto* from, int width)
+  ForArrays(values, to, rows.size(),
+    [&rows](const auto* from, int width, auto* picked)
     {
-      std::vector<std::decay_t<decltype(*from)>> picked;
-      picked.reserve(rows.size() * width);
       for (const ridges::Id row : rows)
       {
-        const auto* first = from + static_cast<std::size_t>(width) * row;
-        picked.insert(picked.end(), first, first + width);
+        picked = std::copy_n(from + static_cast<std::size_t>(width) * row, width, picked);
       }
-      return picked;
     });
 }

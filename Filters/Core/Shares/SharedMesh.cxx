@@ -415,8 +415,36 @@ std::vector<Id> MeshShare::Spread(
   {
     ownId.Set(points[p], static_cast<Id>(p));
   }
+  const auto add = [&points, &ownId, &shared, &triangles](Id t)
+  {
+    triangles.push_back(t);
+    for (const Id p : shared.Corners(t))
+    {
+      if (ownId[p] < 0)
+      {
+        ownId.Set(p, static_cast<Id>(points.size()));
+        points.push_back(p);
+      }
+    }
+  };
   std::size_t begin = 0;
-  for (int ring = 0; ring <= rings; ++ring)
+  int ring = 0;
+  if (static_cast<Id>(points.size()) == shared.NumberOfOwned())
+  {
+    // All that are owned: around them are all triangles that were dealt to this rank.
+    begin = points.size();
+    const Id dealt = shared.Around_.NumberOfTriangles();
+    triangles.reserve(dealt);
+    isTriangle.resize(dealt, true);
+    shared.Ask(ranks, {}); // as other ranks may
+    ownId.Grow(shared.NumberOfPoints());
+    for (Id t = 0; t < dealt; ++t)
+    {
+      add(t);
+    }
+    ++ring;
+  }
+  for (; ring <= rings; ++ring)
   {
     const std::size_t end = points.size();
     std::vector<Id> missing;
@@ -429,19 +457,10 @@ std::vector<Id> MeshShare::Spread(
     {
       for (const Id t : shared.TrianglesAround(points[i]))
       {
-        if (isTriangle[t])
+        if (!isTriangle[t])
         {
-          continue;
-        }
-        isTriangle[t] = true;
-        triangles.push_back(t);
-        for (const Id p : shared.Corners(t))
-        {
-          if (ownId[p] < 0)
-          {
-            ownId.Set(p, static_cast<Id>(points.size()));
-            points.push_back(p);
-          }
+          isTriangle[t] = true;
+          add(t);
         }
       }
     }

@@ -69,6 +69,13 @@ public:
   template <typename T>
   std::vector<T> ToPiece(Ranks& ranks, const T* owned, int width) const;
 
+  /// The same into memory that there is.
+  template <typename T>
+  void ToPiece(Ranks& ranks, const T* owned, int width, T* ofPiece) const
+  {
+    ExchangeRows(ranks, owned, width, this->ReceivedFrom_, this->SentTo_, ofPiece);
+  }
+
 private:
   struct Arrivals;
 
