@@ -4,6 +4,7 @@
 #include "MeshFiles.h"
 #include "Reading/MeshReader.h"
 
+#include "vtkBase64Utilities.h"
 #include "vtkCellData.h"
 #include "vtkNew.h"
 #include "vtkUnsignedCharArray.h"
@@ -11,7 +12,9 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <filesystem>
 #include <fstream>
 
@@ -215,6 +218,87 @@ TEST(MeshReader, DoesNotMakeRoomForCornersThatTheFileCannotHold)
       bytes.replace(last, 3, "1744830704");
       EXPECT_NE(
         FailureOf(bytes, file.name).find("more corners than the file can hold"), std::string::npos);
+    }
+  }
+}
+
+/// A compressed file with other sizes of the blocks of its first array: their number, that of each
+/// before, that of the last, and that of the first in the file.
+std::string WithSizesOfBlocks(const std::string& file, const std::array<std::uint32_t, 4>& sizes)
+{
+  std::string words;
+  for (const std::uint32_t size : sizes)
+  {
+    for (unsigned int bit = 0; bit < 32; bit += 8)
+    {
+      words += static_cast<char>((size >> bit) & 0xffU);
+    }
+  }
+  std::string digits(24, '\0');
+  vtkBase64Utilities::Encode(reinterpret_cast<const unsigned char*>(words.data()),
+    static_cast<unsigned long>(words.size()), reinterpret_cast<unsigned char*>(digits.data()));
+  std::string bytes = file;
+  return bytes.replace(bytes.find('_', bytes.find("<AppendedData")) + 1, digits.size(), digits);
+}
+
+TEST(MeshReader, DoesNotMakeRoomForBlocksThatTheFileCannotHold)
+{
+  int files = 0;
+  for (const MeshBytes& file : WriteInAllFormats(Ellipsoid(2)))
+  {
+    if (file.name != "appended.vtp")
+    {
+      continue;
+    }
+    ++files;
+    const auto failure = [&file](const std::array<std::uint32_t, 4>& sizes)
+    { return FailureOf(WithSizesOfBlocks(file.bytes, sizes), file.name); };
+    const auto size = static_cast<std::uint32_t>(file.bytes.size());
+    const std::string tooLarge = "an array is larger than the file can hold";
+    EXPECT_NE(failure({ 1, 32768, 1008, size + 1 }).find(tooLarge), std::string::npos);
+    EXPECT_NE(failure({ 1, 32768, 1008, 4000000000U }).find(tooLarge), std::string::npos);
+    EXPECT_NE(failure({ 2, 4000000000U, 1008, 500 }).find(tooLarge), std::string::npos);
+    EXPECT_NE(failure({ size + 1, 1, 0, 500 }).find(tooLarge), std::string::npos);
+    const std::string invalid = "the sizes of the blocks of an array are invalid";
+    EXPECT_NE(failure({ 1, 1000, 1008, 500 }).find(invalid), std::string::npos);
+    EXPECT_NE(failure({ 1, 0, 0, 500 }).find(invalid), std::string::npos);
+    EXPECT_NE(failure({ 0, 32768, 1008, 500 }).find(invalid), std::string::npos);
+    EXPECT_NE(
+      failure({ size / 2, 1, 0, 0 }).find("the size of an array is missing"), std::string::npos);
+    // One block may be announced larger than it is, as all are made of one size but the last.
+    EXPECT_EQ(failure({ 1, 4000000000U, 1008, 500 }).find(tooLarge), std::string::npos);
+  }
+  EXPECT_EQ(files, 1);
+}
+
+// VTK takes any element among arrays for one, and appended data by their offset.
+TEST(MeshReader, ChecksArraysInWhateverWayTheyAreWritten)
+{
+  for (const MeshBytes& file : WriteInAllFormats(Ellipsoid(2)))
+  {
+    const auto expect = [&file](const std::string& good, const std::string& bad, const char* reason)
+    {
+      std::string bytes = file.bytes;
+      const std::size_t at = bytes.find(good);
+      ASSERT_NE(at, std::string::npos) << file.name << ": " << good;
+      bytes.replace(at, good.size(), bad);
+      EXPECT_NE(FailureOf(bytes, file.name).find(reason), std::string::npos)
+        << file.name << ": " << FailureOf(bytes, file.name);
+    };
+    if (file.name == "appended.vtp")
+    {
+      expect("format=\"appended\"", "format=\"ascii\" offset=\"99999999\"", "not in the file");
+    }
+    if (file.name == "ascii.vtp")
+    {
+      expect("<PointData", "<!DOCTYPE a><PointData", "other than elements and comments");
+      expect("<PointData", "<!-- <PointData", "other than elements and comments");
+      expect("NumberOfPoints=\"42\"", "NumberOfPoints=\"&#52;2\"", "more than the file can hold");
+      const std::string some = std::to_string(file.bytes.size() / 20);
+      expect("<Points>",
+        "<Points><!-- <FieldData> --><Any type=\"Int8\" format=\"ascii\" NumberOfComponents=\"" +
+          some + "\"/>",
+        "an array is larger than the file can hold");
     }
   }
 }

@@ -7,9 +7,10 @@
 #include "Reading/TextLines.h"
 
 #include <algorithm>
-#include <array>
 #include <cstdint>
 #include <iterator>
+#include <numeric>
+#include <vector>
 
 namespace program
 {
@@ -111,11 +112,15 @@ public:
     {
       const std::string_view tag = this->TagAt(at);
       const std::string_view name = tag.substr(1, tag.find_first_of(" \t\r\n/", 1) - 1);
-      if (name == "Piece")
+      if (name.substr(0, 1) == "!")
+      {
+        at = this->EndOfComment(at);
+      }
+      else if (name == "Piece")
       {
         counts = CountsOf(tag);
       }
-      else if (name == "DataArray")
+      else if (name == "DataArray" || !Attribute(tag, "format").empty())
       {
         this->CheckLength(tag, tuples);
         this->CheckArray(tag, at + tag.size() + 1);
@@ -149,6 +154,20 @@ private:
   std::string_view TagAt(std::size_t at) const
   {
     return this->Bytes.substr(at, this->Bytes.find('>', at) - at);
+  }
+
+  /// Other things that begin so are not in a mesh.
+  std::size_t EndOfComment(std::size_t at) const
+  {
+    constexpr std::string_view begin = "<!--";
+    const std::size_t end = this->Bytes.substr(at, begin.size()) == begin
+      ? this->Bytes.find("-->", at + begin.size())
+      : std::string_view::npos;
+    if (end == std::string_view::npos)
+    {
+      throw Failure(this->FileName + " has other than elements and comments", "remove that");
+    }
+    return end;
   }
 
   void CheckEnds()
@@ -196,8 +215,9 @@ private:
     {
       const std::string_view tag = this->TagAt(at);
       const std::string_view name = tag.substr(1, tag.find('=') - 1);
-      const std::optional<double> count = ToReal(Attribute(tag, name));
-      if (count && !(*count >= 0.0 && *count <= most))
+      const std::string_view text = Attribute(tag, name);
+      const std::optional<double> count = text.empty() ? 0.0 : ToReal(text);
+      if (!count || !(*count >= 0.0 && *count <= most))
       {
         this->Fail(": " + Quoted(name) + " is more than the file can hold");
       }
@@ -217,12 +237,9 @@ private:
 
   void CheckArray(std::string_view tag, std::size_t afterTag) const
   {
+    // VTK goes by the offset.
     const std::string_view format = Attribute(tag, "format");
-    if (format == "binary")
-    {
-      this->CheckSizes(afterTag, false);
-    }
-    else if (format == "appended")
+    if (format == "appended" || !Attribute(tag, "offset").empty())
     {
       const std::optional<long long> offset = ToInteger(Attribute(tag, "offset"));
       if (this->Appended == std::string_view::npos || !offset || *offset < 0 ||
@@ -232,37 +249,72 @@ private:
       }
       this->CheckSizes(this->Appended + static_cast<std::size_t>(*offset), this->IsRaw);
     }
+    else if (format == "binary")
+    {
+      this->CheckSizes(afterTag, false);
+    }
   }
 
-  /// The size of the data of an array or, if they are compressed, the number and sizes of blocks,
-  /// are in one word or three.
-  void CheckSizes(std::size_t at, bool isRaw) const
+  /// So many words from the beginning of the data of an array.
+  std::vector<double> Words(std::string_view data, bool isRaw, std::size_t count) const
   {
-    constexpr std::size_t words = 3;
-    constexpr std::size_t longWord = 8;
-    std::array<char, words * longWord> header{};
-    const std::string_view data = this->Bytes.substr(at);
-    const std::size_t size = (this->IsCompressed ? words : 1) * (this->HasLongWords ? 8 : 4);
-    if (isRaw && data.size() >= size)
-    {
-      data.copy(header.data(), size);
-    }
-    else if (isRaw || !Decode(data, header.data(), size))
+    const std::size_t wordSize = this->HasLongWords ? 8 : 4;
+    std::string bytes(std::min(count * wordSize, data.size()), '\0');
+    const bool isThere = bytes.size() == count * wordSize &&
+      (isRaw ? data.copy(bytes.data(), bytes.size()) == bytes.size()
+             : Decode(data, bytes.data(), bytes.size()));
+    if (!isThere)
     {
       this->Fail(": the size of an array is missing");
     }
-    const auto word = [this, &header](std::size_t i)
+    std::vector<double> words(count);
+    for (std::size_t i = 0; i < count; ++i)
     {
-      return this->HasLongWords
-        ? static_cast<double>(LoadNumber<std::uint64_t>(header.data() + 8 * i, this->Order))
-        : static_cast<double>(LoadNumber<std::uint32_t>(header.data() + 4 * i, this->Order));
-    };
-    const double total = this->IsCompressed ? word(0) * word(1) + word(2) : word(0);
-    const bool hasTooManyBlocks =
-      this->IsCompressed && word(0) > static_cast<double>(this->Bytes.size());
-    if (total > this->MostBytes() || hasTooManyBlocks)
+      const char* word = bytes.data() + i * wordSize;
+      words[i] = this->HasLongWords
+        ? static_cast<double>(LoadNumber<std::uint64_t>(word, this->Order))
+        : static_cast<double>(LoadNumber<std::uint32_t>(word, this->Order));
+    }
+    return words;
+  }
+
+  [[noreturn]] void FailTooLarge() const
+  {
+    this->Fail(": an array is larger than the file can hold");
+  }
+
+  /// The size of the data is in a word. If they are compressed: the number of blocks, the size of
+  /// each before, that of the last if it is smaller, and then the size of each in the file.
+  void CheckSizes(std::size_t at, bool isRaw) const
+  {
+    const std::string_view data = this->Bytes.substr(at);
+    if (!this->IsCompressed)
     {
-      this->Fail(": an array is larger than the file can hold");
+      if (this->Words(data, isRaw, 1)[0] > this->MostBytes())
+      {
+        this->FailTooLarge();
+      }
+      return;
+    }
+    const std::vector<double> head = this->Words(data, isRaw, 3);
+    const double blocks = head[0];
+    const double size = head[1];
+    const double lastSize = head[2];
+    if (lastSize > size || (blocks > 0.0 ? !(size > 0.0) : lastSize > 0.0))
+    {
+      this->Fail(": the sizes of the blocks of an array are invalid");
+    }
+    const double total = lastSize > 0.0 ? (blocks - 1.0) * size + lastSize : blocks * size;
+    if (total > this->MostBytes() || blocks > static_cast<double>(this->Bytes.size()))
+    {
+      this->FailTooLarge();
+    }
+    const std::vector<double> words =
+      this->Words(data, isRaw, head.size() + static_cast<std::size_t>(blocks));
+    if (std::accumulate(words.begin() + 3, words.end(), 0.0) >
+      static_cast<double>(this->Bytes.size()))
+    {
+      this->FailTooLarge();
     }
   }
 
