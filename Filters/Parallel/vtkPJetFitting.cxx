@@ -31,7 +31,8 @@ vtkPJetFitting::vtkPJetFitting()
 
 vtkPJetFitting::~vtkPJetFitting()
 {
-  vtkSetObjectBodyMacro(Controller, vtkMultiProcessController, nullptr);
+  vtkMultiProcessController* none = nullptr; // nullptr itself cannot be printed by the macro
+  vtkSetObjectBodyMacro(Controller, vtkMultiProcessController, none);
   delete this->Ranks;
 }
 

@@ -33,7 +33,8 @@ vtkPRidgesAndUmbilics::vtkPRidgesAndUmbilics()
 
 vtkPRidgesAndUmbilics::~vtkPRidgesAndUmbilics()
 {
-  vtkSetObjectBodyMacro(Controller, vtkMultiProcessController, nullptr);
+  vtkMultiProcessController* none = nullptr; // nullptr itself cannot be printed by the macro
+  vtkSetObjectBodyMacro(Controller, vtkMultiProcessController, none);
   delete this->Ranks;
 }
 
