@@ -7,7 +7,6 @@
 #include "vtkRidgesArrayNames.h"
 #include "vtkRidgesCompatibility.h"
 #include "vtkRidgesMesh.h"
-#include "vtkRidgesMonitor.h"
 #include "vtkRidgesRangeLoop.h"
 
 #include "vtkFieldData.h"
@@ -103,6 +102,14 @@ std::string vtkRidgesCertifier::SetMesh(vtkPolyData* input)
   return {};
 }
 
+// What the loops leave out after an abort has no result, which nobody will look at.
+void vtkRidgesCertifier::Certify(vtkAlgorithm* filter, double begin, double end)
+{
+  constexpr vtkIdType mostInBatch = 1024; // of edges or triangles, which take up to a millisecond
+  this->Certificate = this->Mesh->Certify(vtkRidgesAbortableLoop(filter, begin, end, mostInBatch),
+    [filter](double) { return !vtkRidgesCompatibility::IsAborted(filter); });
+}
+
 bool vtkRidgesCertifier::Run(vtkCertificationAlgorithm* filter, vtkPolyData* input)
 {
   std::string faults = this->SetSurface(filter, input);
@@ -119,8 +126,7 @@ bool vtkRidgesCertifier::Run(vtkCertificationAlgorithm* filter, vtkPolyData* inp
   {
     const double begin = 1.0 - std::pow(0.8, round); // how many there will be is not known
     const double end = 1.0 - std::pow(0.8, round + 1);
-    const ridges::Monitor monitor = vtkRidgesMonitor(filter, begin, end);
-    this->Certificate = this->Mesh->Certify(vtkRidgesRangeLoop, monitor);
+    this->Certify(filter, begin, end);
     if (vtkRidgesCompatibility::IsAborted(filter))
     {
       return true;
@@ -132,7 +138,7 @@ bool vtkRidgesCertifier::Run(vtkCertificationAlgorithm* filter, vtkPolyData* inp
       return true;
     }
   }
-  this->Certificate = this->Mesh->Certify(vtkRidgesRangeLoop, vtkRidgesMonitor(filter, 0.99, 1.0));
+  this->Certify(filter, 0.99, 1.0);
   this->Done = !vtkRidgesCompatibility::IsAborted(filter);
   return true;
 }

@@ -35,6 +35,7 @@ public:
 private:
   std::string SetSurface(vtkCertificationAlgorithm* filter, vtkPolyData* input);
   std::string SetMesh(vtkPolyData* input);
+  void Certify(vtkAlgorithm* filter, double begin, double end);
 
   vtkRidgesFormulaSurface Surface;
   std::string Formula;

@@ -37,7 +37,7 @@ public:
   void NoteReach(std::vector<int>& reach) { this->Reach = &reach; }
 
   /// Points that take some tenths of a second: see vtkRidgesForBatches.
-  vtkIdType BatchSize() const { return this->Wanted.degree > 4 ? 1 << 15 : 1 << 17; }
+  vtkIdType BatchSize() const { return this->Wanted.degree > 4 ? 1 << 13 : 1 << 17; }
 
   void operator()(vtkIdType begin, vtkIdType end);
 
