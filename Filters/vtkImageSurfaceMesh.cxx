@@ -93,7 +93,8 @@ int vtkImageSurfaceMesh::RequestData(
   grid.origin.setZero();
   constexpr double share = 0.75;
   constexpr double marginByDeviation = 1.5;
-  const auto loop = vtkRidgesAbortableLoop(this, 0.0, 0.1);
+  constexpr double smoothedAt = 0.1;
+  const auto loop = vtkRidgesAbortableLoop(this, 0.0, smoothedAt);
   const double sigma = image.SigmaOf(this->Sigma, this->IsoValue, nullptr, loop);
   const double edgeLength = this->EdgeLength > 0.0 ? this->EdgeLength : share * sigma;
   double bounds[6] = {};
@@ -116,6 +117,7 @@ int vtkImageSurfaceMesh::RequestData(
   const ridges::InterpolatedImage rough(wholly.Grid(), this->IsoValue);
   const ridges::ImplicitExactSurface roughSurface(rough);
   vtkRidgesEvenMesh mesh;
+  mesh.contour.from = smoothedAt;
   mesh.contour.box = "the image";
   mesh.contour.what = "the smoothed values, less IsoValue, are";
   if (!mesh.Make(this, rough, roughSurface, surface, bounds, edgeLength))

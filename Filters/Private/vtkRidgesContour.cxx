@@ -85,8 +85,8 @@ struct Samples
   }
 };
 
-bool Evaluate(
-  vtkAlgorithm* filter, const ridges::JetFunction& function, Samples& samples, double progress)
+bool Evaluate(vtkAlgorithm* filter, const ridges::JetFunction& function, Samples& samples,
+  double from, double to)
 {
   constexpr double greatest = 0.1 * std::numeric_limits<double>::max();
   const auto evaluate = [&function, &samples](vtkIdType begin, vtkIdType end)
@@ -113,7 +113,7 @@ bool Evaluate(
     }
   };
   return vtkRidgesForBatches(
-    filter, static_cast<vtkIdType>(samples.values.size()), 0.0, progress, evaluate);
+    filter, static_cast<vtkIdType>(samples.values.size()), from, to, evaluate);
 }
 
 ridges::EditableMesh MeshOf(vtkPolyData* contour)
@@ -189,7 +189,9 @@ bool vtkRidgesContour::Make(vtkAlgorithm* filter, const ridges::JetFunction& fun
     return false;
   }
   samples.values.resize(static_cast<std::size_t>(count));
-  if (!Evaluate(filter, function, samples, 0.8 * progress))
+  const auto progressAt = [this, progress](double share)
+  { return this->from + share * (progress - this->from); };
+  if (!Evaluate(filter, function, samples, this->from, progressAt(0.8)))
   {
     return false;
   }
@@ -220,7 +222,7 @@ bool vtkRidgesContour::Make(vtkAlgorithm* filter, const ridges::JetFunction& fun
     }
   };
   if (!vtkRidgesForBatches(
-        filter, scalars->GetNumberOfTuples(), 0.8 * progress, 0.9 * progress, copy))
+        filter, scalars->GetNumberOfTuples(), progressAt(0.8), progressAt(0.9), copy))
   {
     return false;
   }

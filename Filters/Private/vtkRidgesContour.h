@@ -21,6 +21,7 @@ public:
   bool Make(vtkAlgorithm* filter, const ridges::JetFunction& function, const double bounds[6],
     double edgeLength, double progress);
 
+  double from = 0.0;              ///< Progress of the filter before.
   const char* box = "the Bounds"; ///< In errors: where f is known,
   const char* what = "f is";      ///< and what it is.
   ridges::EditableMesh mesh;
