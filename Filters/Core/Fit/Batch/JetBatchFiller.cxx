@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Fit/Batch/JetBatchFiller.h"
 
+#include "Fit/Batch/JetBatchFan.h"
+
 #include <algorithm>
 #include <numeric>
 
@@ -91,30 +93,10 @@ int JetBatchFiller::Fill(int first, int lanes)
 void JetBatchFiller::FillLane(int lane, int stride, const Neighborhood& neighborhood)
 {
   JetBatch& batch = *this->Batch_;
-  const Id vertex = neighborhood.vertex;
   batch.neighbors[lane] = this->Points_.data() + neighborhood.first;
   batch.counts[lane] = neighborhood.count;
-
-  Eigen::Vector3d side = Eigen::Vector3d::Zero();
-  int triangles = 0;
-  int closedTriangles = 0;
-  if (neighborhood.wholeRings && this->Rings_.IsRegular(vertex))
-  {
-    const bool open = this->Rings_.OnBorder(vertex);
-    triangles = this->Rings_.Around(vertex).size() - (open ? 1 : 0);
-    closedTriangles = open ? 0 : triangles;
-  }
-  else
-  {
-    side = this->Mesh_.PointNormal(vertex);
-  }
-  batch.triangles = std::max(batch.triangles, triangles);
-  batch.fans[lane] = triangles;
-  batch.closedFans[lane] = closedTriangles;
-  for (int i = 0; i < 3; ++i)
-  {
-    batch.side[i * stride + lane] = side[i];
-  }
+  FillFan(
+    this->Mesh_, this->Rings_, neighborhood.vertex, lane, stride, batch, neighborhood.wholeRings);
   if (batch.weighted)
   {
     this->WeightLane(lane, stride, neighborhood);
