@@ -122,6 +122,21 @@ ExtremalityErrors::Verdict ExtremalityErrors::FindVerdict(Id p)
   return this->Compare(sums);
 }
 
+double ExtremalityErrors::MeanSquareInErrors(const std::vector<Id>& points) const
+{
+  double square = 0.0;
+  double squaredError = 0.0;
+  for (const Id p : points)
+  {
+    if (this->Own_[p].squaredError >= 0.0)
+    {
+      square += this->Own_[p].square;
+      squaredError += this->Own_[p].squaredError;
+    }
+  }
+  return squaredError > 0.0 ? square / squaredError : 0.0;
+}
+
 bool ExtremalityErrors::IsBad(Id p) const
 {
   const std::vector<std::uint8_t>& isFlagged = this->Source_.isFlagged;

@@ -69,6 +69,10 @@ public:
 
   const std::vector<Verdict>& Verdicts() const { return this->Verdicts_; }
 
+  /// After Measure: the mean square of the extremality of some points, in that of its errors. 0 if
+  /// it is not known of any.
+  double MeanSquareInErrors(const std::vector<Id>& points) const;
+
   /// Before Begin: the verdict on a point. Not for several threads at the same time.
   Verdict VerdictAt(Id p);
 

@@ -54,6 +54,7 @@ RidgeZones::RidgeZones(const TriangleMesh& mesh, const std::vector<Verdict>& ver
     const std::size_t insignificant = count(Verdict::Insignificant) + count(Verdict::Faint);
     const bool isRoundOff = insignificant == 0 && roundOff >= LeastRoundOff;
     bool isZone = isRoundOff;
+    bool isWhole = false;
     const bool isLarge = region.size() >= LeastPoints;
     if (!isRoundOff && (isLarge || roundOff + insignificant >= LeastPointsOfWhole))
     {
@@ -62,8 +63,9 @@ RidgeZones::RidgeZones(const TriangleMesh& mesh, const std::vector<Verdict>& ver
         sizes = this->SizesOfParts();
       }
       const auto size = static_cast<double>(region.size());
-      isZone = size == sizes[first] ||
-        (roundOff + insignificant >= LeastPoints && size >= LeastShare * sizes[first]);
+      isWhole = size == sizes[first];
+      isZone =
+        isWhole || (roundOff + insignificant >= LeastPoints && size >= LeastShare * sizes[first]);
     }
     if (isZone)
     {
@@ -73,6 +75,7 @@ RidgeZones::RidgeZones(const TriangleMesh& mesh, const std::vector<Verdict>& ver
       }
       this->Regions_.push_back(std::move(region));
       this->IsRoundOff_.push_back(isRoundOff ? 1 : 0);
+      this->IsWhole_.push_back(isWhole ? 1 : 0);
     }
   }
 }

@@ -46,6 +46,9 @@ public:
   /// Whether the extremality is round-off wherever it is known, which is certain on any scale.
   bool IsRoundOff(std::size_t region) const { return this->IsRoundOff_[region] != 0; }
 
+  /// Whether a region is all of its connected part of the mesh.
+  bool IsWhole(std::size_t region) const { return this->IsWhole_[region] != 0; }
+
   /// For a region that is no zone after all.
   void Remove(std::size_t region);
 
@@ -66,6 +69,7 @@ private:
   std::vector<Id> RegionOf_; ///< Per point.
   std::vector<std::vector<Id>> Regions_;
   std::vector<std::uint8_t> IsRoundOff_;
+  std::vector<std::uint8_t> IsWhole_;
 };
 
 /// Points of a region to look at on larger scales: of those deep enough inside, some that depend on
