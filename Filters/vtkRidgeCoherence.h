@@ -8,7 +8,8 @@
  * follow from the topology of the surface, ridges are loops or join umbilics, and their type
  * changes an even number of times. This filter checks the result on a mesh against these rules.
  *
- * Input port 0: the mesh with Monge arrays and the marks of vtkUmbilicDetection, its output 0.
+ * Input port 0: the mesh with Monge arrays and the marks of vtkUmbilicDetection, its output 0, or
+ * output 2 of vtkRidgeExtraction, which knows of ridges that are left out in zones.
  * Input port 1: all ridges, output 0 of vtkRidgeExtraction.
  * Input port 2, optional: the umbilics, output 1 of vtkUmbilicDetection. Without it they are read
  * from the field data of the mesh.

@@ -5,7 +5,7 @@
 //
 //   RidgesTruth <surface> [--points 20000] [--patch-size 2] [--seed 0] [--noise 0]
 //               [--degree 4] [--fit-points 18 | --rings 8 | --automatic] [--gaussian]
-//               [--blend-noisy-fits]
+//               [--no-blend-noisy-fits]
 //               [--smooth 0.01] [--exact] [--type-significance 3]
 //               [--reference 150000] [--cache <directory>] [--brief]
 //
@@ -13,8 +13,8 @@
 //   one of that kind.
 // --seed: other than 0, the mesh is turned, and points and triangles are renumbered, at random.
 // --noise: standard deviation of a displacement along the normals, in edges.
-// --degree, --fit-points, --rings, --automatic, --gaussian, --blend-noisy-fits: of vtkJetFitting;
-// its defaults if not given.
+// --degree, --fit-points, --rings, --automatic, --gaussian, --no-blend-noisy-fits: of
+//   vtkJetFitting; its defaults if not given.
 // --smooth: all orders by vtkMongeSmoothing, to this share of the diameter. 0: not at all.
 // --exact: the exact Monge forms instead of a fit. What is lost then, the mesh cannot show.
 // --type-significance: of vtkRidgeExtraction.
@@ -77,7 +77,7 @@ struct Options
   int fitPoints = 0;
   int rings = 0;
   bool automatic = false;
-  bool blendNoisyFits = false;
+  bool blendNoisyFits = true;
   bool gaussian = false;
   bool exact = false;
   double smooth = 0.0;
@@ -114,9 +114,9 @@ Options ParseOptions(int argc, char** argv)
       options.automatic = true;
       continue;
     }
-    if (name == "--blend-noisy-fits")
+    if (name == "--no-blend-noisy-fits")
     {
-      options.blendNoisyFits = true;
+      options.blendNoisyFits = false;
       continue;
     }
     if (name == "--exact")
@@ -205,7 +205,7 @@ Eigen::Matrix3d RandomRotation(std::uint64_t seed)
 void PrintFailedChecks(vtkAlgorithm* umbilics, vtkAlgorithm* ridges)
 {
   vtkNew<vtkRidgeCoherence> coherence;
-  coherence->SetInputConnection(0, umbilics->GetOutputPort(0));
+  coherence->SetInputConnection(0, ridges->GetOutputPort(2)); // with its zones
   coherence->SetInputConnection(1, ridges->GetOutputPort(0));
   coherence->SetInputConnection(2, umbilics->GetOutputPort(1));
   coherence->Update();
