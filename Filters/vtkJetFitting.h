@@ -116,7 +116,7 @@ public:
    * one-rings follow (vtkMongeSmoothing), and the standard errors are those before. Default
    * AUTOMATIC: no other choice suits both exact data and noise. Without noise it blends three fits
    * at each point by their errors; with BlendNoisyFits also where there is noise, independent from
-   * point to point: more ridges are whole. Default off: the fit takes three times as long.
+   * point to point. Default on: more ridges are whole; the fit takes about twice as long.
    */
   vtkSetClampMacro(Neighborhood, int, BY_POINT_COUNT, AUTOMATIC);
   vtkGetMacro(Neighborhood, int);
@@ -182,7 +182,7 @@ protected:
   int Degree = 0;
   int MongeOrder = 4;
   int Neighborhood = AUTOMATIC;
-  bool BlendNoisyFits = false;
+  bool BlendNoisyFits = true;
   int MinimumNumberOfPoints = 18;
   int NumberOfRings = 3;
   double Radius = 0.0;

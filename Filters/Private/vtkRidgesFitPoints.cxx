@@ -52,9 +52,9 @@ vtkRidgesFitPoints::vtkRidgesFitPoints(const ridges::TriangleMesh& mesh,
 void vtkRidgesFitPoints::operator()(vtkIdType begin, vtkIdType end)
 {
   Scratch& scratch = this->PerThread.Get([this] { return std::make_shared<Scratch>(*this); });
-  for (vtkIdType p = begin; p < end; ++p)
+  for (vtkIdType i = begin; i < end; ++i)
   {
-    this->Take(static_cast<ridges::Id>(p), 0, scratch);
+    this->Take(this->Selected ? (*this->Selected)[i] : static_cast<ridges::Id>(i), 0, scratch);
   }
   this->FitBatches(scratch);
   this->GrowIllConditioned(scratch);
@@ -99,7 +99,9 @@ void vtkRidgesFitPoints::FitBatches(Scratch& scratch)
       for (int lane = 0; lane < vertices.size(); ++lane)
       {
         const ridges::Id p = vertices[lane];
-        switch (this->Judge(batch, lane, scratch))
+        const double* n = batch.n + lane;
+        const int lanes = this->Kernel->lanes;
+        switch (Judge(batch, lane, { n[0], n[lanes], n[2 * lanes] }, scratch.fitter))
         {
           case Verdict::IllConditioned:
             scratch.illConditioned.push_back(
@@ -141,8 +143,8 @@ void vtkRidgesFitPoints::GrowIllConditioned(Scratch& scratch)
   }
 }
 
-vtkRidgesFitPoints::Verdict vtkRidgesFitPoints::Judge(
-  const ridges::JetBatch& batch, int lane, Scratch& scratch) const
+vtkRidgesFitPoints::Verdict vtkRidgesFitPoints::Judge(const ridges::JetBatch& batch, int lane,
+  const Eigen::Vector3d& normal, ridges::PointFitter& fitter)
 {
   if (!(batch.conditionNumber[lane] <= GrowAbove))
   {
@@ -156,11 +158,9 @@ vtkRidgesFitPoints::Verdict vtkRidgesFitPoints::Judge(
   {
     return Verdict::Good;
   }
-  const int lanes = this->Kernel->lanes;
-  const Eigen::Vector3d normal(batch.n[lane], batch.n[lanes + lane], batch.n[2 * lanes + lane]);
   const ridges::Id* first = batch.neighbors[lane];
   const bool isSteep =
-    scratch.fitter.IsSteep({ first, first + static_cast<int>(batch.counts[lane]) }, normal);
+    fitter.IsSteep({ first, first + static_cast<int>(batch.counts[lane]) }, normal);
   return isSteep ? Verdict::Odd : Verdict::Good;
 }
 

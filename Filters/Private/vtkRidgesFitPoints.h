@@ -36,10 +36,25 @@ public:
   /// surface does not. `reach` has 0 for each point at the start.
   void NoteReach(std::vector<int>& reach) { this->Reach = &reach; }
 
+  /// Only these points are wanted.
+  void Select(const std::vector<ridges::Id>& points) { this->Selected = &points; }
+
   /// Points that take some tenths of a second: see vtkRidgesForBatches.
   vtkIdType BatchSize() const { return this->Wanted.degree > 4 ? 1 << 13 : 1 << 17; }
 
+  /// Of all points, or the places of those that are wanted.
   void operator()(vtkIdType begin, vtkIdType end);
+
+  enum class Verdict
+  {
+    Good,
+    IllConditioned,
+    Odd ///< Whatever else is wrong.
+  };
+
+  /// Of the fit in a lane of a batch; the normal, and what knows of the mesh, where it is doubtful.
+  static Verdict Judge(const ridges::JetBatch& batch, int lane, const Eigen::Vector3d& normal,
+    ridges::PointFitter& fitter);
 
 private:
   struct IllConditioned
@@ -56,18 +71,10 @@ private:
     std::vector<IllConditioned> illConditioned;
   };
 
-  enum class Verdict
-  {
-    Good,
-    IllConditioned,
-    Odd ///< Whatever else is wrong.
-  };
-
   void Take(ridges::Id p, int ringsAdded, Scratch& scratch);
   void Note(ridges::Id p, Scratch& scratch);
   void FitBatches(Scratch& scratch);
   void GrowIllConditioned(Scratch& scratch);
-  Verdict Judge(const ridges::JetBatch& batch, int lane, Scratch& scratch) const;
   void FitAlone(ridges::Id p, ridges::PointFitter::Growth growth, Scratch& scratch);
   void Store(
     ridges::Id p, const ridges::MongeForm& form, const vtkRidgesMongeOutput::Quality& quality);
@@ -78,6 +85,7 @@ private:
   vtkRidgesMongeOutput& Output;
   const ridges::JetBatchKernel* Kernel = nullptr;
   std::vector<int>* Reach = nullptr;
+  const std::vector<ridges::Id>* Selected = nullptr;
   vtkRidgesPerThread<Scratch> PerThread;
 };
 

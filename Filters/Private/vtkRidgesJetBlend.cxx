@@ -5,15 +5,17 @@
 #include "Core/Fit/JetBlend.h"
 #include "vtkJetFitting.h"
 #include "vtkRidgesBatches.h"
+#include "vtkRidgesNestedFits.h"
 
 #include <memory>
 
 namespace
 {
 
-/// A functor that blends the fits of one kind into those before.
+/// A functor that blends the fits of one kind into those before, of all points or of some.
 struct BlendPoints
 {
+  const std::vector<ridges::Id>* selected;
   const vtkRidgesMongeOutput& fits;
   ridges::BlendedJet jet;
   double noise;
@@ -22,8 +24,9 @@ struct BlendPoints
 
   void operator()(vtkIdType begin, vtkIdType end)
   {
-    for (vtkIdType p = begin; p < end; ++p)
+    for (vtkIdType i = begin; i < end; ++i)
     {
+      const vtkIdType p = this->selected ? (*this->selected)[i] : i;
       const vtkRidgesMongeOutput::Quality quality = this->fits.GetQuality(p);
       if ((quality.status & ~ridges::FitBoundary) != 0)
       {
@@ -43,11 +46,12 @@ struct BlendPoints
   }
 };
 
-} // namespace
-
-bool vtkRidgesFitJets(vtkJetFitting* filter, const vtkRidgesJets& jets, double from, double to,
-  vtkRidgesMongeOutput& output, std::vector<int>* reach)
+/// Fit after fit, of all points or of some.
+bool FitOneByOne(vtkJetFitting* filter, const vtkRidgesJets& jets,
+  const std::vector<ridges::Id>* selected, double from, double to, vtkRidgesMongeOutput& output,
+  std::vector<int>* reach)
 {
+  const vtkIdType count = selected ? static_cast<vtkIdType>(selected->size()) : jets.count;
   const bool isBlend = jets.fits.size() > 1;
   std::vector<double> weights(isBlend ? jets.count : 0, 0.0);
   std::unique_ptr<vtkRidgesMongeOutput> others;
@@ -61,21 +65,59 @@ bool vtkRidgesFitJets(vtkJetFitting* filter, const vtkRidgesJets& jets, double f
   {
     vtkRidgesMongeOutput& fits = i == 0 ? output : *others;
     vtkRidgesFitPoints fitPoints(jets.mesh, jets.rings, jets.fits[i], fits);
+    if (selected)
+    {
+      fitPoints.Select(*selected);
+    }
     if (reach)
     {
       fitPoints.NoteReach(*reach);
     }
     const double fitted = from + 0.9 * step;
-    if (!vtkRidgesForBatches(filter, jets.count, from, fitted, fitPoints, fitPoints.BatchSize()))
+    if (!vtkRidgesForBatches(filter, count, from, fitted, fitPoints, fitPoints.BatchSize()))
     {
       return false;
     }
-    BlendPoints blend{ fits, { jets.fits[i].degree, jets.fits[i].rule.numberOfRings }, jets.noise,
-      output, weights };
-    if (isBlend && !vtkRidgesForBatches(filter, jets.count, fitted, from + step, blend))
+    BlendPoints blend{ selected, fits, { jets.fits[i].degree, jets.fits[i].rule.numberOfRings },
+      jets.noise, output, weights };
+    if (isBlend && !vtkRidgesForBatches(filter, count, fitted, from + step, blend))
     {
       return false;
     }
   }
   return true;
+}
+
+} // namespace
+
+bool vtkRidgesFitJets(vtkJetFitting* filter, const vtkRidgesJets& jets, double from, double to,
+  vtkRidgesMongeOutput& output, std::vector<int>* reach)
+{
+  if (!vtkRidgesNestedFits::Can(jets.fits))
+  {
+    return FitOneByOne(filter, jets, nullptr, from, to, output, reach);
+  }
+  // They give no standard errors.
+  double middle = from;
+  if (jets.fits.front().standardErrors)
+  {
+    middle = from + 0.6 * (to - from);
+    if (!FitOneByOne(filter, jets, nullptr, from, middle, output, reach))
+    {
+      return false;
+    }
+    from = middle;
+  }
+  vtkRidgesNestedFits nested(jets.mesh, jets.rings, jets.fits, jets.noise, output);
+  if (reach)
+  {
+    nested.NoteReach(*reach);
+  }
+  middle = from + 0.9 * (to - from);
+  if (!vtkRidgesForBatches(filter, jets.count, from, middle, nested, nested.BatchSize()))
+  {
+    return false;
+  }
+  const std::vector<ridges::Id> others = nested.GetOthers();
+  return others.empty() || FitOneByOne(filter, jets, &others, middle, to, output, reach);
 }

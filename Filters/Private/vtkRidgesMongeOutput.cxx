@@ -124,6 +124,11 @@ void vtkRidgesMongeOutput::Store(vtkIdType p, const ridges::MongeForm& form, con
   Put(this->MinimumCurvature, p, form.k2);
   Put(this->P1, p, form.P1());
   Put(this->P2, p, form.P2());
+  this->StoreQuality(p, quality);
+}
+
+void vtkRidgesMongeOutput::StoreQuality(vtkIdType p, const Quality& quality)
+{
   Put(this->ConditionNumber, p, quality.conditionNumber);
   Put(this->Residual, p, quality.residual);
   Put(this->Scale, p, quality.radius);
@@ -147,6 +152,10 @@ void vtkRidgesMongeOutput::Store(
   Put<1>(this->Residual, points, batch.residual, lanes);
   Put<1>(this->Scale, points, batch.radius, lanes);
   Put<1>(this->NoiseGain, points, batch.noiseGain, lanes);
+  if (!batch.standardErrors)
+  {
+    return;
+  }
   Put<1>(this->MaximumCurvatureError, points, batch.errors, lanes);
   Put<1>(this->MinimumCurvatureError, points, batch.errors + lanes, lanes);
   Put<4>(this->ThirdOrderError, points, batch.errors + 2 * lanes, lanes);

@@ -40,6 +40,8 @@ public:
 
   Quality GetQuality(vtkIdType p) const;
 
+  void StoreQuality(vtkIdType p, const Quality& quality);
+
   void StoreStatus(vtkIdType p, int status) { this->Status[p] = status; }
 
   /// Only if the arrays for it were asked for.

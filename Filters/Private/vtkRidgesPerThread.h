@@ -30,6 +30,16 @@ public:
     return *scratch;
   }
 
+  /// Calls visit(object) for each, in any order, when no thread works.
+  template <typename Visit>
+  void ForEach(const Visit& visit)
+  {
+    for (const auto& object : this->Objects)
+    {
+      visit(*object.second);
+    }
+  }
+
 private:
   std::mutex Mutex;
   std::map<std::thread::id, std::shared_ptr<Scratch>> Objects;

@@ -164,7 +164,7 @@ TEST(RidgesAndUmbilics, ForwardsEveryProperty)
   EXPECT_FORWARDED(jets, Neighborhood, vtkJetFitting::BY_RINGS);
   EXPECT_FORWARDED(jets, MinimumNumberOfPoints, 400);
   EXPECT_FORWARDED(jets, Weighting, vtkJetFitting::GAUSSIAN);
-  EXPECT_FORWARDED(jets, BlendNoisyFits, true);
+  EXPECT_FORWARDED(jets, BlendNoisyFits, false);
   EXPECT_FORWARDED(jets, StandardErrors, true);
   EXPECT_FORWARDED(umbilics, Method, vtkUmbilicDetection::MINIMA);
   EXPECT_FORWARDED(umbilics, Significance, 100.0);

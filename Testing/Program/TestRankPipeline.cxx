@@ -66,7 +66,7 @@ void SetAll(vtkJetFitting* jets)
   jets->SetNumberOfRings(7);
   jets->SetRadius(0.125);
   jets->SetWeightingToGaussian();
-  jets->SetBlendNoisyFits(true);
+  jets->SetBlendNoisyFits(false);
   jets->SetStandardErrors(true);
 }
 

@@ -120,9 +120,9 @@ void AddJetFitting(CLI::App& app, vtkJetFitting* filter)
     filter->GetWeighting(), [filter](int value) { filter->SetWeighting(value); },
     "weight of the points in a neighbourhood; gaussian decreases with their distance");
   group.Flag(
-    "--blend-noisy-fits", [filter](bool on) { filter->SetBlendNoisyFits(on); },
-    "on noisy meshes blend fits of several degrees and numbers of rings at each point, for "
-    "--neighborhood automatic: slower, finds more whole ridges and umbilics");
+    "--no-blend-noisy-fits", [filter](bool off) { filter->SetBlendNoisyFits(!off); },
+    "on noisy meshes do not blend fits of several degrees and numbers of rings at each point, for "
+    "--neighborhood automatic: faster, finds fewer whole ridges and umbilics");
   group.Flag(
     "--standard-errors", [filter](bool on) { filter->SetStandardErrors(on); },
     "compute standard errors of the derivatives; --write-mesh writes them too");

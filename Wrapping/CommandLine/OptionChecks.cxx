@@ -41,7 +41,7 @@ void CheckEffects(const CLI::App& app, const Options& options, const Filters& fi
     { "--number-of-rings", neighborhood == vtkJetFitting::BY_RINGS,
       "without --neighborhood rings" },
     { "--radius", neighborhood == vtkJetFitting::BY_RADIUS, "without --neighborhood radius" },
-    { "--blend-noisy-fits",
+    { "--no-blend-noisy-fits",
       neighborhood == vtkJetFitting::AUTOMATIC && filters.jetFitting->GetDegree() == 0,
       "without --neighborhood automatic, or with --degree" },
     { "--umbilic-significance", filters.umbilics->GetMethod() == vtkUmbilicDetection::INDICES,

@@ -45,6 +45,9 @@ public:
   /// The neighbourhood by the rule, and so many rings more, if there are.
   Span<Id> Gather(Id vertex, int ringsAdded = 0);
 
+  /// The last neighbourhood with one ring more; the same one if there is nothing around it.
+  Span<Id> Grow() { return this->Neighborhood_.Grow(); }
+
   /// Whether the points that were gathered last are in the order of the rings.
   bool IsInRings() const { return this->Neighborhood_.IsInRings(); }
 
