@@ -187,8 +187,7 @@ bool vtkRidgesNestedFits::IsPlain(
 std::vector<ridges::Id> vtkRidgesNestedFits::GetOthers()
 {
   std::vector<ridges::Id> others;
-  this->PerThread.ForEach(
-    [&others](const Scratch& scratch)
+  this->PerThread.ForEach([&others](const Scratch& scratch)
     { others.insert(others.end(), scratch.others.begin(), scratch.others.end()); });
   std::sort(others.begin(), others.end());
   return others;

@@ -38,8 +38,8 @@ inline void StoreNestedFit(ridges::JetBatch& batch, const Frame& frame, const Ve
 }
 
 /// In units of the radius of that neighbourhood, and then of the largest.
-inline void FitInner(
-  ridges::JetBatch& batch, const NestedPoints& points, const NestedSums& sums, const Frame& frame, double* jet)
+inline void FitInner(ridges::JetBatch& batch, const NestedPoints& points, const NestedSums& sums,
+  const Frame& frame, double* jet)
 {
   constexpr int degree = ridges::NestedJetBatch::Degrees[0];
   constexpr int order = 2 * degree;
@@ -77,8 +77,8 @@ inline void FitInner(
     rightHandSide[k] = coefficients[k];
   }
   equations.Solve(coefficients);
-  const Vec residual = ResidualOf(
-    height * height * sums.squares, rightHandSide, coefficients, size, moments[0][0]);
+  const Vec residual =
+    ResidualOf(height * height * sums.squares, rightHandSide, coefficients, size, moments[0][0]);
   StoreNestedFit<degree>(batch, frame, residual, equations.excess, coefficients);
   Vec scale = 1.0 / height;
   for (int d = 0; d <= degree; ++d)
@@ -92,8 +92,8 @@ inline void FitInner(
   }
 }
 
-inline void FitLargest(
-  ridges::JetBatch& batch, const NestedPoints& points, const NestedSums& sums, const Frame& frame, double* jet)
+inline void FitLargest(ridges::JetBatch& batch, const NestedPoints& points, const NestedSums& sums,
+  const Frame& frame, double* jet)
 {
   using Equations = TiledEquations<NestedDegree>;
   const Extents extents{ frame.radius / points.unitOfU, frame.radius / points.unitOfV };

@@ -69,9 +69,8 @@ inline void SetNestedPoints(ridges::NestedJetBatch& nested, NestedPoints& points
   for (int row = 1; row < largest.rows; ++row)
   {
     const Vec number = Broadcast(row);
-    const Vec3 offset =
-      Select(number < counts[NestedFits - 1],
-        LoadPoints(largest.points, largest.neighbors, row) - vertex, Vec3{});
+    const Vec3 offset = Select(number < counts[NestedFits - 1],
+      LoadPoints(largest.points, largest.neighbors, row) - vertex, Vec3{});
     const Vec square = Dot(offset, offset);
     for (int i = 0; i < NestedFits; ++i)
     {
@@ -109,7 +108,8 @@ struct NestedSums
   Vec squares{}; ///< Of the heights.
 
   /// Adds the points of the neighbourhoods with these counts that are not in those before.
-  inline void Add(const LocalPoints& points, int first, int last, const Vec& before, const Vec& counts)
+  inline void Add(
+    const LocalPoints& points, int first, int last, const Vec& before, const Vec& counts)
   {
     constexpr int order = 2 * NestedDegree;
     constexpr int size = PowerSums<NestedDegree>::Size;
@@ -151,8 +151,7 @@ inline void JudgeSpread(const NestedPoints& points, const NestedSums& sums, Fram
   const Vec height = sums.heights.at[0][0];
   const Vec along = sums.squares - height * height * perCount;
   const Vec difference = ofU - ofV;
-  const Vec least =
-    0.5 * (ofU + ofV - Sqrt(difference * difference + 4.0 * mixed * mixed));
+  const Vec least = 0.5 * (ofU + ofV - Sqrt(difference * difference + 4.0 * mixed * mixed));
   frame.bends = along > ridges::JetBatchKernel::MostSpreadOfNoise * least;
   frame.mayFold |= along > ridges::JetBatchKernel::MostSpread * least;
 }

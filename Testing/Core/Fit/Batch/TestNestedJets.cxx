@@ -142,8 +142,7 @@ TEST(NestedJets, AgreeWithTheSolverForSinglePoints)
       {
         const Eigen::Matrix3Xd offsets =
           OffsetsAround(mesh, p, neighborhood, InRings(NumberOfRings[i]));
-        const JetFit fit =
-          fitter.FitAlong(fits[p].axis, offsets, NestedJetBatch::Degrees[i]);
+        const JetFit fit = fitter.FitAlong(fits[p].axis, offsets, NestedJetBatch::Degrees[i]);
         ASSERT_TRUE(fits[p].good);
         errors.Add(fits[p].form, MongeFormOfHeightJet(fit.jet, fit.frame));
         ASSERT_NEAR(fits[p].radius[i], fit.radius, 1e-14);
@@ -214,8 +213,11 @@ TEST(NestedJets, TakeNoMoreThanABatchHolds)
   const OrderedRings rings = RingsOf(mesh);
   NestedJetFiller filler(mesh, rings);
   std::vector<Id> points(JetBatch::MaximumRows + 1, 0);
-  const auto span = [&points](int count) { return Span<Id>{ points.data(), points.data() + count }; };
-  EXPECT_FALSE(filler.Add(0, span(JetBatch::MaximumRows + 1), { 37, 91, JetBatch::MaximumRows + 1 }));
+  const auto span = [&points](int count) {
+    return Span<Id>{ points.data(), points.data() + count };
+  };
+  EXPECT_FALSE(
+    filler.Add(0, span(JetBatch::MaximumRows + 1), { 37, 91, JetBatch::MaximumRows + 1 }));
   EXPECT_FALSE(filler.Add(0, span(91), { 14, 37, 91 }));
   EXPECT_FALSE(filler.Add(0, span(27), { 15, 20, 27 }));
   EXPECT_TRUE(filler.IsEmpty());
