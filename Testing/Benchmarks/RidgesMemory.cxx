@@ -8,6 +8,7 @@
 // (default 0).
 
 #include "BenchmarkMeshes.h"
+#include "ProcessUse.h"
 
 #include "vtkJetFitting.h"
 #include "vtkNew.h"
@@ -18,25 +19,11 @@
 
 #include <cstdio>
 #include <cstdlib>
-#include <fstream>
-#include <string>
+
+using namespace ridges::testing;
 
 namespace
 {
-
-// A line "VmHWM:  123 kB" of Linux' description of this process, in bytes.
-double StatusBytes(const std::string& key)
-{
-  std::ifstream file("/proc/self/status");
-  for (std::string line; std::getline(file, line);)
-  {
-    if (line.compare(0, key.size(), key) == 0)
-    {
-      return 1024.0 * std::strtod(line.c_str() + key.size() + 1, nullptr);
-    }
-  }
-  return 0.0;
-}
 
 double Bytes(vtkPolyData* data)
 {
@@ -48,12 +35,12 @@ template <typename Filter>
 double Run(const char* name, Filter* filter, double points)
 {
   malloc_trim(0);
-  std::ofstream("/proc/self/clear_refs") << "5\n"; // forgets the peak so far
-  const double before = StatusBytes("VmRSS");
+  ForgetPeak();
+  const double before = ResidentBytes();
   filter->Update();
-  const double peak = StatusBytes("VmHWM") - before;
+  const double peak = PeakBytes() - before;
   malloc_trim(0);
-  const double kept = StatusBytes("VmRSS") - before;
+  const double kept = ResidentBytes() - before;
   std::printf("| %s | %.0f | %.0f |\n", name, peak / points, kept / points);
   return peak;
 }
@@ -81,14 +68,14 @@ int main(int argc, char* argv[])
   ridges->SetInputConnection(umbilics->GetOutputPort());
 
   malloc_trim(0);
-  const double start = StatusBytes("VmRSS");
+  const double start = ResidentBytes();
   std::printf("\n| stage, ellipsoid of %.0f points | peak growth, bytes/point | kept |\n"
               "|---|---:|---:|\n",
     points);
   double highest = 0.0;
   const auto run = [&](const char* name, auto* filter)
   {
-    const double before = StatusBytes("VmRSS") - start;
+    const double before = ResidentBytes() - start;
     highest = std::max(highest, before + Run(name, filter, points));
   };
   run("vtkJetFitting", jets.Get());

@@ -8,6 +8,8 @@
 // where they mostly wait for each other, and the peak memory of the first rank, and of the others,
 // beyond what they have at first.
 
+#include "ProcessUse.h"
+
 #include "vtkCellArray.h"
 #include "vtkIdList.h"
 #include "vtkMPIController.h"
@@ -24,30 +26,21 @@
 #include <mpi.h>
 
 #include <malloc.h>
-#include <sys/resource.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <fstream>
 #include <string>
 #include <vector>
+
+using namespace ridges::testing;
 
 namespace
 {
 
 double SecondsInMpi = 0.0;
-
-double ProcessorSeconds()
-{
-  rusage usage;
-  getrusage(RUSAGE_SELF, &usage);
-  const auto seconds = [](const timeval& time)
-  { return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec); };
-  return seconds(usage.ru_utime) + seconds(usage.ru_stime);
-}
 
 /// Adds what a call of MPI takes.
 template <typename Call>
@@ -98,21 +91,6 @@ extern "C"
 
 namespace
 {
-
-/// MiB, as Linux says.
-double Memory(const std::string& what)
-{
-  std::ifstream status("/proc/self/status");
-  std::string line;
-  while (std::getline(status, line))
-  {
-    if (line.compare(0, what.size(), what) == 0)
-    {
-      return std::strtod(line.c_str() + what.size() + 1, nullptr) / 1024.0;
-    }
-  }
-  return 0.0;
-}
 
 /// Points moved along x, y and z by noise of this standard deviation, each by itself.
 void AddNoise(vtkPoints* points, double deviation)
@@ -194,14 +172,14 @@ void Measure(vtkMPIController* controller, const std::string& stage, int frequen
   }
   filter->SetInputData(piece);
   malloc_trim(0);
-  std::ofstream("/proc/self/clear_refs") << "5"; // forgets the peak
+  ForgetPeak();
   controller->Barrier();
-  const double memoryBefore = Memory("VmRSS");
+  const double memoryBefore = ResidentBytes();
   const double before = ProcessorSeconds();
   SecondsInMpi = 0.0;
   filter->Update();
   const std::array<double, 3> own = { ProcessorSeconds() - before - SecondsInMpi, SecondsInMpi,
-    Memory("VmHWM") - memoryBefore };
+    (PeakBytes() - memoryBefore) / BytesPerMiB };
   std::vector<double> all(own.size() * ranks);
   controller->AllGather(own.data(), all.data(), static_cast<vtkIdType>(own.size()));
   if (controller->GetLocalProcessId() > 0)

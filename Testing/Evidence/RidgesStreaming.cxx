@@ -5,6 +5,8 @@
 //   RidgesStreaming write FREQUENCY DIRECTORY      an ellipsoid: mesh.vtp, mesh-8.pvtp,
 //   mesh-64.pvtp RidgesStreaming read|jets|ridges FILE PIECES   a row of the table
 
+#include "ProcessUse.h"
+
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
 #include "vtkCellData.h"
@@ -27,8 +29,6 @@
 #include "vtkXMLPolyDataReader.h"
 #include "vtkXMLPolyDataWriter.h"
 
-#include <sys/resource.h>
-
 #include <algorithm>
 #include <cstdint>
 #include <cstdio>
@@ -37,34 +37,11 @@
 #include <string>
 #include <vector>
 
+using namespace ridges::testing;
 namespace names = vtkRidgesArrayNames;
 
 namespace
 {
-
-/// MiB, as Linux says.
-double Memory(const std::string& what)
-{
-  std::ifstream status("/proc/self/status");
-  std::string line;
-  while (std::getline(status, line))
-  {
-    if (line.compare(0, what.size(), what) == 0)
-    {
-      return std::strtod(line.c_str() + what.size() + 1, nullptr) / 1024.0;
-    }
-  }
-  return 0.0;
-}
-
-double ProcessorSeconds()
-{
-  rusage usage;
-  getrusage(RUSAGE_SELF, &usage);
-  const auto seconds = [](const timeval& time)
-  { return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec); };
-  return seconds(usage.ru_utime) + seconds(usage.ru_stime);
-}
 
 void WriteData(vtkPolyData* data, const std::string& name)
 {
@@ -236,7 +213,7 @@ void Measure(const std::string& stage, const std::string& file, int pieces)
     files->stem = file.substr(0, file.rfind('.'));
     reader = files;
   }
-  const double before = Memory("VmRSS");
+  const double before = ResidentBytes() / BytesPerMiB;
   const double secondsBefore = ProcessorSeconds();
   Digest digest;
   if (stage == "read")
@@ -265,7 +242,7 @@ void Measure(const std::string& stage, const std::string& file, int pieces)
     AddCells(digest, ridges->GetOutput(), ridges->GetOutput()->GetLines());
   }
   std::printf("| %s | %d | %.1f | %.0f | %.0f | %016llx |\n", stage.c_str(), pieces,
-    ProcessorSeconds() - secondsBefore, before, Memory("VmHWM") - before,
+    ProcessorSeconds() - secondsBefore, before, PeakBytes() / BytesPerMiB - before,
     static_cast<unsigned long long>(digest.Sum));
 }
 
