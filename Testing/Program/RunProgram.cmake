@@ -37,6 +37,17 @@ function (expect_failure expected_code expression)
   endif ()
 endfunction ()
 
+# expect_same_lines(<output> <expected>): ridges and umbilics in the files of two outputs.
+function (expect_same_lines output expected)
+  foreach (kind IN ITEMS ridges umbilics)
+    file(SHA256 "${DIRECTORY}/${output}-${kind}.vtp" found)
+    file(SHA256 "${DIRECTORY}/${expected}-${kind}.vtp" wanted)
+    if (NOT found STREQUAL wanted)
+      message(SEND_ERROR "${output}-${kind}.vtp is not what is in ${expected}-${kind}.vtp")
+    endif ()
+  endforeach ()
+endfunction ()
+
 # expect_files([<name>...]): these are in the directory, and nothing else.
 function (expect_files)
   file(GLOB found RELATIVE "${DIRECTORY}" "${DIRECTORY}/*")
