@@ -36,6 +36,14 @@ def start_server(command=command_of_server):
     raise RuntimeError("pvserver has not started: " + "".join(said))
 
 
+def stop_server(server):
+    """Leaves the pvserver that this client is connected to, and ends it."""
+    simple.Disconnect()
+    server.terminate()
+    server.wait(timeout=30)
+    server.stdout.close()
+
+
 class TestClientAndServer(AgainstProgram):
     @classmethod
     def setUpClass(cls):
@@ -46,10 +54,7 @@ class TestClientAndServer(AgainstProgram):
 
     @classmethod
     def tearDownClass(cls):
-        simple.Disconnect()
-        cls.server.terminate()
-        cls.server.wait(timeout=30)
-        cls.server.stdout.close()
+        stop_server(cls.server)
 
     def test_the_server_is_another_process(self):
         self.assertTrue(simple.GetActiveSource() is None)

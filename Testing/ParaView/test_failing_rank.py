@@ -11,7 +11,7 @@ from pathlib import Path
 
 from paraview import simple
 from ridges_paraview import Messages, delete_all, load_plugin
-from test_client_and_server import start_server
+from test_client_and_server import start_server, stop_server
 
 PATIENCE = 30.0  # seconds
 SIDE = 16  # points of a row
@@ -66,10 +66,7 @@ class TestFailingRank(unittest.TestCase):
 
     @classmethod
     def tearDownClass(cls):
-        simple.Disconnect()
-        cls.server.terminate()
-        cls.server.wait(timeout=30)
-        cls.server.stdout.close()
+        stop_server(cls.server)
         cls._folder.cleanup()
 
     def setUp(self):
