@@ -97,23 +97,22 @@ bool vtkRidgesFitJets(vtkJetFitting* filter, const vtkRidgesJets& jets, double f
   {
     return FitOneByOne(filter, jets, nullptr, from, to, output, reach);
   }
-  // They give no standard errors.
-  double middle = from;
   if (jets.fits.front().standardErrors)
   {
-    middle = from + 0.6 * (to - from);
-    if (!FitOneByOne(filter, jets, nullptr, from, middle, output, reach))
+    // Nested fits give none; their forms come in place of these.
+    const double fitted = from + 0.6 * (to - from);
+    if (!FitOneByOne(filter, jets, nullptr, from, fitted, output, reach))
     {
       return false;
     }
-    from = middle;
+    from = fitted;
   }
   vtkRidgesNestedFits nested(jets.mesh, jets.rings, jets.fits, jets.noise, output);
   if (reach)
   {
     nested.NoteReach(*reach);
   }
-  middle = from + 0.9 * (to - from);
+  const double middle = from + 0.9 * (to - from);
   if (!vtkRidgesForBatches(filter, jets.count, from, middle, nested, nested.BatchSize()))
   {
     return false;

@@ -183,6 +183,27 @@ vtkRidgesMongeOutput::Quality vtkRidgesMongeOutput::GetQuality(vtkIdType p) cons
     this->NoiseGain ? this->NoiseGain[p] : 0.0, this->Status[p] };
 }
 
+vtkRidgesMongeOutput::Quality vtkRidgesMongeOutput::Blended(
+  const Quality* fits, const double* shares, int count)
+{
+  Quality mean;
+  double error = 0.0;
+  for (int i = 0; i < count; ++i)
+  {
+    const Quality& fit = fits[i];
+    mean.conditionNumber += shares[i] * fit.conditionNumber;
+    mean.radius += shares[i] * fit.radius;
+    mean.noiseGain += shares[i] * fit.noiseGain;
+    error += fit.radius > 0.0
+      ? shares[i] * (fit.noiseGain * fit.residual / (fit.radius * fit.radius))
+      : 0.0;
+  }
+  // So that it is still true what it says of the error of the third order, with the gain.
+  mean.residual = mean.noiseGain > 0.0 ? error * mean.radius * mean.radius / mean.noiseGain : 0.0;
+  mean.status = fits[std::max_element(shares, shares + count) - shares].status;
+  return mean;
+}
+
 void vtkRidgesMongeOutput::Blend(vtkIdType p, const vtkRidgesMongeOutput& other, double share)
 {
   const auto id = static_cast<ridges::Id>(p);
@@ -199,20 +220,9 @@ void vtkRidgesMongeOutput::Blend(vtkIdType p, const vtkRidgesMongeOutput& other,
   {
     return;
   }
-  const Quality a = this->GetQuality(p);
-  const Quality b = other.GetQuality(p);
-  Quality quality;
-  quality.conditionNumber = Mean(a.conditionNumber, b.conditionNumber, share);
-  quality.radius = Mean(a.radius, b.radius, share);
-  quality.noiseGain = Mean(a.noiseGain, b.noiseGain, share);
-  quality.status = share > 0.5 ? b.status : a.status;
-  // So that it is still true what it says of the error of the third order, with the gain.
-  const auto error = [](const Quality& of)
-  { return of.radius > 0.0 ? of.noiseGain * of.residual / (of.radius * of.radius) : 0.0; };
-  quality.residual = quality.noiseGain > 0.0
-    ? Mean(error(a), error(b), share) * quality.radius * quality.radius / quality.noiseGain
-    : 0.0;
-  this->Store(p, form, quality);
+  const Quality fits[] = { this->GetQuality(p), other.GetQuality(p) };
+  const double shares[] = { 1.0 - share, share };
+  this->Store(p, form, Blended(fits, shares, 2));
   for (const auto& [errors, others, components] :
     { Errors{ this->MaximumCurvatureError, other.MaximumCurvatureError, 1 },
       Errors{ this->MinimumCurvatureError, other.MinimumCurvatureError, 1 },

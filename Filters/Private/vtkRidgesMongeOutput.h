@@ -27,6 +27,10 @@ public:
     int status = 0;
   };
 
+  /// Of so many fits of one point that are blended with these shares, whose sum is 1. The status is
+  /// that of the one with the largest share.
+  static Quality Blended(const Quality* fits, const double* shares, int count);
+
   vtkRidgesMongeOutput(vtkIdType count, int order, bool standardErrors);
 
   void Store(vtkIdType p, const ridges::MongeForm& form, const Quality& quality);

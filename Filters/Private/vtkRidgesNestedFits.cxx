@@ -150,24 +150,19 @@ void vtkRidgesNestedFits::SetShares(ridges::NestedJetBatch& batch) const
   }
 }
 
-/// As in vtkRidgesMongeOutput::Blend.
 vtkRidgesMongeOutput::Quality vtkRidgesNestedFits::QualityOf(
   const ridges::NestedJetBatch& batch, int lane) const
 {
-  vtkRidgesMongeOutput::Quality mean;
-  double error = 0.0;
+  std::array<vtkRidgesMongeOutput::Quality, Fits> fits;
+  std::array<double, Fits> shares;
   for (int i = 0; i < Fits; ++i)
   {
     const ridges::JetBatch& fit = batch.fits[i];
-    const double share = batch.shares[i * this->Kernel.lanes + lane];
-    const double radius = fit.radius[lane];
-    mean.conditionNumber += share * fit.conditionNumber[lane];
-    mean.radius += share * radius;
-    mean.noiseGain += share * fit.noiseGain[lane];
-    error += share * fit.noiseGain[lane] * fit.residual[lane] / (radius * radius);
+    fits[i] = { fit.conditionNumber[lane], fit.residual[lane], fit.radius[lane],
+      fit.noiseGain[lane], ridges::FitGood };
+    shares[i] = batch.shares[i * this->Kernel.lanes + lane];
   }
-  mean.residual = error * mean.radius * mean.radius / mean.noiseGain;
-  return mean;
+  return vtkRidgesMongeOutput::Blended(fits.data(), shares.data(), Fits);
 }
 
 bool vtkRidgesNestedFits::IsPlain(
