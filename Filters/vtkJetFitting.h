@@ -116,7 +116,7 @@ public:
    * one-rings follow (vtkMongeSmoothing), and the standard errors are those before. Default
    * AUTOMATIC: no other choice suits both exact data and noise. Without noise it blends three fits
    * at each point by their errors; with BlendNoisyFits also where there is noise, independent from
-   * point to point. Default on: more ridges are whole; the fit takes about twice as long.
+   * point to point. Default on: more ridges are whole; the fit takes about 2.5 times as long.
    */
   vtkSetClampMacro(Neighborhood, int, BY_POINT_COUNT, AUTOMATIC);
   vtkGetMacro(Neighborhood, int);

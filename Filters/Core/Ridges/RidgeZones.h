@@ -46,7 +46,7 @@ public:
   /// Whether the extremality is round-off wherever it is known, which is certain on any scale.
   bool IsRoundOff(std::size_t region) const { return this->IsRoundOff_[region] != 0; }
 
-  /// Whether a region is all of its connected part of the mesh.
+  /// Whether a region is all of its connected part of the mesh; not known where it is round-off.
   bool IsWhole(std::size_t region) const { return this->IsWhole_[region] != 0; }
 
   /// For a region that is no zone after all.
