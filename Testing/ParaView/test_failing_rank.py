@@ -54,11 +54,11 @@ class TestFailingRank(unittest.TestCase):
         cls.folder = Path(cls._folder.name)
         cls.other = cls.folder / "other"
         cls.other.mkdir()
-        launcher, flag, _, server = shlex.split(os.environ["RIDGES_PVSERVER"])
+        *launcher, server = shlex.split(os.environ["RIDGES_PVSERVER"])
+        # By the shell: mpirun of Open MPI 5 ends at once with folders of its own for some ranks.
+        script = 'test "$OMPI_COMM_WORLD_RANK" -lt 2 || cd other; exec "$@"'
         cls.server, port = start_server(
-            lambda option: [launcher]
-            + [flag, "2", "-wdir", str(cls.folder), server, option, ":"]
-            + [flag, "1", "-wdir", str(cls.other), server, option]
+            lambda option: [*launcher, "-wdir", str(cls.folder), "sh", "-c", script, "sh", server, option]
         )
         simple.Connect("127.0.0.1", port)
         load_plugin(remote=True)
