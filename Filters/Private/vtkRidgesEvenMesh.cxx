@@ -4,6 +4,7 @@
 
 #include "Core/Formula/EvenTriangles.h"
 #include "vtkRidgesBatches.h"
+#include "vtkRidgesCompatibility.h"
 
 #include "vtkCellArray.h"
 #include "vtkDoubleArray.h"
@@ -75,17 +76,22 @@ bool vtkRidgesEvenMesh::Make(vtkAlgorithm* filter, const ridges::JetFunction& fu
   }
   ridges::EditableMesh& mesh = this->contour.mesh;
   int loops = 0;
-  const auto loop = [filter, &loops](
+  const auto progressAt = [](int done)
+  { return Contoured + (1.0 - Contoured) * done / (ridges::MakeEvenLoops + 1); };
+  const auto loop = [filter, &loops, &progressAt](
                       ridges::Id count, const std::function<void(ridges::Id, ridges::Id)>& body)
   {
-    const auto progressAt = [](int done)
-    { return Contoured + (1.0 - Contoured) * done / (ridges::MakeEvenLoops + 1); };
     const auto run = [&body](vtkIdType begin, vtkIdType end)
     { body(static_cast<ridges::Id>(begin), static_cast<ridges::Id>(end)); };
     const double from = progressAt(loops);
     return vtkRidgesForBatches(filter, count, from, progressAt(++loops), run);
   };
-  if (!ridges::MakeEven(mesh, rough, surface, edgeLength, loop))
+  const auto goesOn = [filter, &loops, &progressAt]()
+  {
+    filter->UpdateProgress(progressAt(loops));
+    return !vtkRidgesCompatibility::IsAborted(filter);
+  };
+  if (!ridges::MakeEven(mesh, rough, surface, edgeLength, loop, goesOn))
   {
     return false;
   }

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 #include <set>
 #include <tuple>
 #include <utility>
@@ -47,27 +48,41 @@ struct InnerEdge
   double length;
 };
 
+/// By counting those of each lower end, as there are many.
 std::vector<Side> SortedSides(const EditableMesh& mesh)
 {
-  std::vector<Side> sides;
-  sides.reserve(3 * mesh.triangles.size());
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+  const auto forSides = [&mesh](const auto& visit)
   {
-    for (int s = 0; s < 3; ++s)
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
     {
-      const Id a = mesh.triangles[t][s];
-      const Id b = mesh.triangles[t][(s + 1) % 3];
-      sides.push_back({ std::min(a, b), std::max(a, b), static_cast<Id>(3 * t) + s });
+      for (int s = 0; s < 3; ++s)
+      {
+        const Id a = mesh.triangles[t][s];
+        const Id b = mesh.triangles[t][(s + 1) % 3];
+        visit(Side{ std::min(a, b), std::max(a, b), static_cast<Id>(3 * t) + s });
+      }
     }
+  };
+  std::vector<Id> end(mesh.points.size() + 1, 0); // of the sides of each point, then the beginning
+  forSides([&end](const Side& side) { ++end[side.low]; });
+  std::partial_sum(end.begin(), end.end(), end.begin());
+  std::vector<Side> sides(3 * mesh.triangles.size());
+  forSides([&end, &sides](const Side& side) { sides[--end[side.low]] = side; });
+  for (std::size_t p = 0; p < mesh.points.size(); ++p)
+  {
+    std::sort(sides.begin() + end[p], sides.begin() + end[p + 1]);
   }
-  std::sort(sides.begin(), sides.end());
   return sides;
 }
 
-/// Calls visit(first, count) for the sides of each edge.
+/// Edges between two looks whether to stop, which take some hundredths of a second.
+constexpr std::size_t EdgesAtATime = 1 << 16;
+
+/// Calls visit(first, count) for the sides of each edge; false if it was stopped.
 template <typename Visit>
-void ForEdges(const std::vector<Side>& sides, const Visit& visit)
+bool ForEdges(const std::vector<Side>& sides, const Visit& visit, const GoesOn& goesOn = Always)
 {
+  std::size_t next = EdgesAtATime;
   for (std::size_t i = 0; i < sides.size();)
   {
     std::size_t end = i + 1;
@@ -77,29 +92,45 @@ void ForEdges(const std::vector<Side>& sides, const Visit& visit)
     }
     visit(&sides[i], static_cast<int>(end - i));
     i = end;
+    if (i >= next)
+    {
+      if (!goesOn())
+      {
+        return false;
+      }
+      next += EdgesAtATime;
+    }
   }
+  return true;
 }
 
-/// The edges for which `isWanted(length)` holds, by growing length.
+/// The edges for which `isWanted(edge)` holds, by growing length. None if it was stopped.
 template <typename IsWanted>
-std::vector<InnerEdge> InnerEdges(
-  const EditableMesh& mesh, const std::vector<Side>& sides, const IsWanted& isWanted)
+std::vector<InnerEdge> InnerEdges(const EditableMesh& mesh, const std::vector<Side>& sides,
+  const IsWanted& isWanted, const GoesOn& goesOn)
 {
   std::vector<InnerEdge> edges;
-  ForEdges(sides,
-    [&mesh, &edges, &isWanted](const Side* side, int count)
+  const auto visit = [&mesh, &edges, &isWanted](const Side* side, int count)
+  {
+    if (count != 2)
     {
-      const double length = (mesh.points[side->low] - mesh.points[side->high]).norm();
-      if (count != 2 || !isWanted(length))
-      {
-        return;
-      }
-      const Triangle& first = mesh.triangles[side[0].number / 3];
-      const Triangle& second = mesh.triangles[side[1].number / 3];
-      const int s = side[0].number % 3;
-      edges.push_back({ first[s], first[(s + 1) % 3], side[0].number / 3, side[1].number / 3,
-        first[(s + 2) % 3], second[(side[1].number % 3 + 2) % 3], length });
-    });
+      return;
+    }
+    const Triangle& first = mesh.triangles[side[0].number / 3];
+    const Triangle& second = mesh.triangles[side[1].number / 3];
+    const int s = side[0].number % 3;
+    const double length = (mesh.points[side->low] - mesh.points[side->high]).norm();
+    const InnerEdge edge{ first[s], first[(s + 1) % 3], side[0].number / 3, side[1].number / 3,
+      first[(s + 2) % 3], second[(side[1].number % 3 + 2) % 3], length };
+    if (isWanted(edge))
+    {
+      edges.push_back(edge);
+    }
+  };
+  if (!ForEdges(sides, visit, goesOn))
+  {
+    return {};
+  }
   std::stable_sort(edges.begin(), edges.end(),
     [](const InnerEdge& a, const InnerEdge& b) { return a.length < b.length; });
   return edges;
@@ -122,14 +153,55 @@ double AngleAt(const Eigen::Vector3d& apex, const Eigen::Vector3d& a, const Eige
   return std::atan2((a - apex).cross(b - apex).norm(), (a - apex).dot(b - apex));
 }
 
+/// Whether Delaunay's rule wants the other diagonal of the two triangles.
+bool IsNotDelaunay(const EditableMesh& mesh, const InnerEdge& edge)
+{
+  constexpr double roundOff = 1e-9;
+  const Eigen::Vector3d& a = mesh.points[edge.from];
+  const Eigen::Vector3d& b = mesh.points[edge.to];
+  return AngleAt(mesh.points[edge.left], a, b) + AngleAt(mesh.points[edge.right], a, b) >
+    Pi + roundOff;
+}
+
+std::vector<std::uint8_t> BorderPoints(const EditableMesh& mesh, const std::vector<Side>& sides)
+{
+  std::vector<std::uint8_t> isBorder(mesh.points.size(), 0);
+  ForEdges(sides,
+    [&isBorder](const Side* side, int count)
+    {
+      if (count != 2)
+      {
+        isBorder[side->low] = isBorder[side->high] = 1;
+      }
+    });
+  return isBorder;
+}
+
+/// Calls visit(edge) until it is stopped, which is looked at now and then.
+template <typename Visit>
+bool ForEach(const std::vector<InnerEdge>& edges, const Visit& visit, const GoesOn& goesOn)
+{
+  constexpr std::size_t atATime = 1 << 12;
+  for (std::size_t i = 0; i < edges.size(); ++i)
+  {
+    if (i % atATime == 0 && !goesOn())
+    {
+      return false;
+    }
+    visit(edges[i]);
+  }
+  return true;
+}
+
 /// Contracts single edges of a mesh, of which it marks the triangles that are to go.
 class Contraction
 {
 public:
-  Contraction(EditableMesh& mesh, double longest, const PlacePoint& place)
+  Contraction(
+    EditableMesh& mesh, const std::vector<Side>& sides, double longest, const PlacePoint& place)
     : Mesh_(mesh)
     , Around_(static_cast<Id>(mesh.points.size()), mesh.triangles)
-    , IsBorder_(FindBorderPoints(mesh))
+    , IsBorder_(BorderPoints(mesh, sides))
     , IsTouched_(mesh.points.size(), 0)
     , Longest_(longest)
     , Place_(place)
@@ -278,23 +350,24 @@ void Compact(EditableMesh& mesh)
 
 } // namespace
 
-Id SplitLongEdges(EditableMesh& mesh, double longest, const PlacePoint& place)
+Id SplitLongEdges(EditableMesh& mesh, double longest, const PlacePoint& place, const GoesOn& goesOn)
 {
-  std::vector<InnerEdge> edges =
-    InnerEdges(mesh, SortedSides(mesh), [longest](double length) { return length > longest; });
+  std::vector<InnerEdge> edges = InnerEdges(
+    mesh, SortedSides(mesh), [longest](const InnerEdge& edge) { return edge.length > longest; },
+    goesOn);
   std::reverse(edges.begin(), edges.end());
   std::vector<std::uint8_t> isTouched(mesh.triangles.size(), 0);
   Id count = 0;
-  for (const InnerEdge& edge : edges)
+  const auto split = [&mesh, &place, &isTouched, &count](const InnerEdge& edge)
   {
     if (isTouched[edge.first] || isTouched[edge.second])
     {
-      continue;
+      return;
     }
     Eigen::Vector3d middle = 0.5 * (mesh.points[edge.from] + mesh.points[edge.to]);
     if (!place(middle))
     {
-      continue;
+      return;
     }
     const auto added = static_cast<Id>(mesh.points.size());
     mesh.points.push_back(middle);
@@ -304,42 +377,41 @@ Id SplitLongEdges(EditableMesh& mesh, double longest, const PlacePoint& place)
     mesh.triangles.push_back({ added, edge.from, edge.right });
     isTouched[edge.first] = isTouched[edge.second] = 1;
     ++count;
-  }
-  return count;
+  };
+  return ForEach(edges, split, goesOn) ? count : 0;
 }
 
-Id CollapseShortEdges(EditableMesh& mesh, double shortest, double longest, const PlacePoint& place)
+Id CollapseShortEdges(EditableMesh& mesh, double shortest, double longest, const PlacePoint& place,
+  const GoesOn& goesOn)
 {
-  const std::vector<InnerEdge> edges =
-    InnerEdges(mesh, SortedSides(mesh), [shortest](double length) { return length < shortest; });
-  Contraction contraction(mesh, longest, place);
+  const std::vector<Side> sides = SortedSides(mesh);
+  const std::vector<InnerEdge> edges = InnerEdges(
+    mesh, sides, [shortest](const InnerEdge& edge) { return edge.length < shortest; }, goesOn);
+  Contraction contraction(mesh, sides, longest, place);
   Id count = 0;
-  for (const InnerEdge& edge : edges)
-  {
-    count += contraction.Contract(edge) ? 1 : 0;
-  }
+  const auto contract = [&contraction, &count](const InnerEdge& edge)
+  { count += contraction.Contract(edge) ? 1 : 0; };
+  const bool isDone = ForEach(edges, contract, goesOn);
   Compact(mesh);
-  return count;
+  return isDone ? count : 0;
 }
 
-Id FlipToDelaunay(EditableMesh& mesh)
+Id FlipToDelaunay(EditableMesh& mesh, const GoesOn& goesOn)
 {
-  constexpr double roundOff = 1e-9;
   const std::vector<Side> sides = SortedSides(mesh);
   std::vector<std::uint8_t> isTouched(mesh.triangles.size(), 0);
   std::set<std::pair<Id, Id>> added;
   Id count = 0;
-  for (const InnerEdge& edge : InnerEdges(mesh, sides, [](double) { return true; }))
+  const auto flip = [&mesh, &sides, &isTouched, &added, &count](const InnerEdge& edge)
   {
+    if (isTouched[edge.first] || isTouched[edge.second])
+    {
+      return;
+    }
     const Eigen::Vector3d& a = mesh.points[edge.from];
     const Eigen::Vector3d& b = mesh.points[edge.to];
     const Eigen::Vector3d& c = mesh.points[edge.left];
     const Eigen::Vector3d& d = mesh.points[edge.right];
-    if (isTouched[edge.first] || isTouched[edge.second] ||
-      AngleAt(c, a, b) + AngleAt(d, a, b) <= Pi + roundOff)
-    {
-      continue;
-    }
     const Side other{ std::min(edge.left, edge.right), std::max(edge.left, edge.right), 0 };
     const auto before = std::lower_bound(sides.begin(), sides.end(), other);
     const bool isDoubled =
@@ -348,29 +420,22 @@ Id FlipToDelaunay(EditableMesh& mesh)
     const Eigen::Vector3d normal = NormalOf(a, b, c) + NormalOf(b, a, d);
     if (isDoubled || !AreAlike(NormalOf(c, a, d), normal) || !AreAlike(NormalOf(d, b, c), normal))
     {
-      continue;
+      return;
     }
     mesh.triangles[edge.first] = { edge.left, edge.from, edge.right };
     mesh.triangles[edge.second] = { edge.right, edge.to, edge.left };
     isTouched[edge.first] = isTouched[edge.second] = 1;
     added.insert({ other.low, other.high });
     ++count;
-  }
-  return count;
+  };
+  const std::vector<InnerEdge> edges = InnerEdges(
+    mesh, sides, [&mesh](const InnerEdge& edge) { return IsNotDelaunay(mesh, edge); }, goesOn);
+  return ForEach(edges, flip, goesOn) ? count : 0;
 }
 
 std::vector<std::uint8_t> FindBorderPoints(const EditableMesh& mesh)
 {
-  std::vector<std::uint8_t> isBorder(mesh.points.size(), 0);
-  ForEdges(SortedSides(mesh),
-    [&isBorder](const Side* side, int count)
-    {
-      if (count != 2)
-      {
-        isBorder[side->low] = isBorder[side->high] = 1;
-      }
-    });
-  return isBorder;
+  return BorderPoints(mesh, SortedSides(mesh));
 }
 
 Id CountBorderEdges(const EditableMesh& mesh)

@@ -73,7 +73,7 @@ void Repeat(int atMost, const Pass& pass)
 } // namespace
 
 bool MakeEven(EditableMesh& mesh, const ExactSurface& rough, const ExactSurface& surface,
-  double edgeLength, const StoppableLoop& loop)
+  double edgeLength, const StoppableLoop& loop, const GoesOn& goesOn)
 {
   constexpr int passes = 5;
   const double shortest = 0.8 * edgeLength;
@@ -89,29 +89,32 @@ bool MakeEven(EditableMesh& mesh, const ExactSurface& rough, const ExactSurface&
     point = isGood ? single.position[0] : point;
     return isGood;
   };
-  const auto flip = [&mesh]() { return FlipToDelaunay(mesh); };
+  const auto flip = [&mesh, &goesOn]() { return FlipToDelaunay(mesh, goesOn); };
+  const auto collapse = [&mesh, shortest, longest, &place, &goesOn]()
+  { return CollapseShortEdges(mesh, shortest, longest, place, goesOn); };
+  const auto split = [&mesh, longest, &place, &goesOn]()
+  { return SplitLongEdges(mesh, longest, place, goesOn); };
 
   const std::vector<Eigen::Vector3d> first = mesh.points;
-  bool goesOn = MovePoints(mesh, first, rough, edgeLength, loop);
-  for (int round = 0; goesOn && round < Rounds + LastRounds; ++round)
+  bool isWanted = MovePoints(mesh, first, rough, edgeLength, loop);
+  for (int round = 0; isWanted && round < Rounds + LastRounds; ++round)
   {
     if (round < Rounds)
     {
-      Repeat(passes,
-        [&mesh, shortest, longest, &place]()
-        { return CollapseShortEdges(mesh, shortest, longest, place); });
-      Repeat(passes, [&mesh, longest, &place]() { return SplitLongEdges(mesh, longest, place); });
+      Repeat(passes, collapse);
+      Repeat(passes, split);
     }
     Repeat(passes, flip);
-    goesOn = Relax(mesh, rough, edgeLength, loop);
+    isWanted = goesOn() && Relax(mesh, rough, edgeLength, loop);
   }
   Repeat(passes, flip);
-  if (goesOn && &rough != &surface)
+  isWanted = isWanted && goesOn();
+  if (isWanted && &rough != &surface)
   {
     const std::vector<Eigen::Vector3d> near = mesh.points;
-    goesOn = MovePoints(mesh, near, surface, edgeLength, loop);
+    isWanted = MovePoints(mesh, near, surface, edgeLength, loop);
   }
-  return goesOn;
+  return isWanted;
 }
 
 } // namespace ridges
