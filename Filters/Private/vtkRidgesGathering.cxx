@@ -121,9 +121,12 @@ void vtkRidgesGathering::Know(ridges::Ranks& ranks, const ridges::SharedSurface&
   this->EulerCharacteristic = surface.eulerCharacteristic;
   this->IsClosed = surface.isClosed;
   this->EnclosingRadius = ridges::EnclosingRadiusOfPieces(ranks, *this->Mesh);
-  const std::vector<double> roundings =
-    ridges::GatherAllOne(ranks, ridges::CoordinateRounding(*this->Mesh));
-  this->CoordinateRounding = *std::min_element(roundings.begin(), roundings.end());
+  this->CoordinateRounding = {};
+  for (const ridges::CoordinateRounding& ofRank :
+    ridges::GatherAllOne(ranks, ridges::FindCoordinateRounding(*this->Mesh)))
+  {
+    this->CoordinateRounding.Include(ofRank);
+  }
   this->BorderStrip.clear();
   if (!surface.isClosed)
   {

@@ -120,7 +120,7 @@ private:
   bool IsClosed = true;
   std::int64_t EulerCharacteristic = 0;
   double EnclosingRadius = 0.0;
-  double CoordinateRounding = 0.0;
+  ridges::CoordinateRounding CoordinateRounding;
 
   // What was gathered.
   std::vector<std::uint8_t> Levels;  ///< Of the points of the piece: rings that they lack,

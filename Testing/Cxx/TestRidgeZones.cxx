@@ -145,6 +145,19 @@ TEST(RidgeZones, FloatCoordinatesAndScaleMakeNoRidges)
 }
 
 //------------------------------------------------------------------------------
+// As digits are the same in each row, fits leave nothing over.
+TEST(RidgeZones, DigitsOfTextMakeNoRidges)
+{
+  const Mesh half = CylinderPatch(1.0, 3.14159265358979, 3.0, 39, 29);
+  for (const int digits : { 5, 6, 7 })
+  {
+    EXPECT_EQ(Result(ToPolyData(RoundToDigits(half, digits))).Lines(), 0) << digits;
+  }
+  const auto ellipsoid = ToPolyData(RoundToDigits(EllipsoidMesh(22, 1.4, 1.0, 0.6), 6));
+  EXPECT_EQ(Result(ellipsoid).Lines(), Result(ellipsoid, 0.0).Lines());
+}
+
+//------------------------------------------------------------------------------
 TEST(RidgeZones, AreMarkedAndCountedInOneWarning)
 {
   const auto cylinder = ToPolyData(Cylinder(60, 19));

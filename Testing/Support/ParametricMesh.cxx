@@ -7,6 +7,8 @@
 #include <Eigen/Geometry>
 
 #include <cmath>
+#include <cstdio>
+#include <cstdlib>
 #include <random>
 
 namespace ridges
@@ -120,6 +122,19 @@ Mesh RoundToSingle(const Mesh& mesh)
   for (double& x : rounded.points)
   {
     x = static_cast<double>(static_cast<float>(x));
+  }
+  return rounded;
+}
+
+//------------------------------------------------------------------------------
+Mesh RoundToDigits(const Mesh& mesh, int digits)
+{
+  Mesh rounded = mesh;
+  for (double& x : rounded.points)
+  {
+    char text[64];
+    std::snprintf(text, sizeof(text), "%.*g", digits, x);
+    x = std::strtod(text, nullptr);
   }
   return rounded;
 }

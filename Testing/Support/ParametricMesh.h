@@ -38,6 +38,9 @@ std::vector<NamedMesh> SurfacesWithoutRidges();
 // Coordinates rounded to single precision.
 Mesh RoundToSingle(const Mesh& mesh);
 
+// Coordinates rounded to significant decimal digits, as files of text have them.
+Mesh RoundToDigits(const Mesh& mesh, int digits);
+
 } // namespace testing
 } // namespace ridges
 

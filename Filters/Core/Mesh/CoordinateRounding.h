@@ -3,17 +3,36 @@
 #ifndef ridges_CoordinateRounding_h
 #define ridges_CoordinateRounding_h
 
-#include "Mesh/TriangleMesh.h"
-
 namespace ridges
 {
 
+class TriangleMesh;
+
 /**
- * The largest error, as a part of a coordinate, that rounding may have caused: half a unit in the
- * last place of single precision if all coordinates are such numbers, else of double precision. On
- * regular meshes rounding repeats from row to row, so that residuals of fits may not show it.
+ * How the coordinates of a mesh may have been rounded: to single or double precision, and to a few
+ * decimal digits, as in files of text. On regular meshes rounding repeats from row to row, so that
+ * residuals of fits may not show it.
  */
-double CoordinateRounding(const TriangleMesh& mesh);
+struct CoordinateRounding
+{
+  static constexpr int NotDecimal = 10; ///< So many digits or more.
+
+  bool isSingle = true; ///< All coordinates are numbers of single precision.
+  int digits = 0;       ///< The most significant decimal digits that any coordinate has.
+
+  CoordinateRounding& Include(double coordinate);
+  CoordinateRounding& Include(const CoordinateRounding& other);
+
+  /// The largest error of precision as a part of a coordinate: half a unit in the last place.
+  double OfPrecision() const;
+
+  /// The standard deviation of the error of digits at a coordinate; 0 if there is none. Up to four
+  /// digits count as meant: those of grids and voxels.
+  double OfDigits(double coordinate) const;
+};
+
+/// Of a part of a mesh: that of the whole mesh.
+CoordinateRounding FindCoordinateRounding(const TriangleMesh& mesh);
 
 } // namespace ridges
 

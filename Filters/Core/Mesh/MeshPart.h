@@ -4,6 +4,7 @@
 #define ridges_MeshPart_h
 
 #include "Base/Types.h"
+#include "Mesh/CoordinateRounding.h"
 
 #include <atomic>
 #include <cstdint>
@@ -35,7 +36,7 @@ public:
   Id eulerCharacteristic = 0;
   bool isClosed = true;
   double enclosingRadius = 0.0;
-  double coordinateRounding = 0.0;
+  CoordinateRounding coordinateRounding;
   std::vector<std::uint8_t> borderStrip; ///< For the points of the part: see BorderStrip.h.
 
   /// Says that so many rings around a point are looked at.

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Ridges/ExtremalityErrors.h"
 
-#include "Mesh/CoordinateRounding.h"
 #include "Monge/CurvatureSlope.h"
 
 #include <algorithm>
@@ -32,7 +31,7 @@ ExtremalityErrors::ExtremalityErrors(const Source& source, Color color, double s
   : Source_(source)
   , Color_(color)
   , Significance_(significance)
-  , Rounding_(CoordinateRounding(source.mesh))
+  , Rounding_(FindCoordinateRounding(source.mesh))
 {
 }
 
@@ -194,12 +193,13 @@ ExtremalityErrors::Sums ExtremalityErrors::At(Id p) const
     return { 0.0, NotKnown, 0.0 };
   }
   const double b = this->Source_.field.Extremality(this->Color_, p);
-  const double rounding = this->RoundingError(p, radius);
-  Sums sums{ b * b, rounding * rounding, rounding * rounding };
+  const double squaredRounding = std::pow(this->RoundingError(p, radius), 2) +
+    std::pow(this->Magnified(this->Rounding_.OfDigits(this->LargestCoordinate(p)), p, radius), 2);
+  Sums sums{ b * b, squaredRounding, squaredRounding };
   const FitErrorSource& errors = this->Source_.errors;
   if (errors.fitResidual && errors.fitScale)
   {
-    const double noise = this->GainAt(p) * around.height / (radius * radius * radius);
+    const double noise = this->Magnified(around.height, p, radius);
     const double difference = ShareOfDifference * (b - around.derivative);
     sums.squaredNoise += noise * noise;
     sums.squaredError += noise * noise + difference * difference;
@@ -264,10 +264,22 @@ double ExtremalityErrors::GainAt(Id p) const
   return gain ? gain[p] : UsualGain;
 }
 
+double ExtremalityErrors::LargestCoordinate(Id p) const
+{
+  return this->Source_.mesh.Point(p).cwiseAbs().maxCoeff();
+}
+
+/// What an error of heights does to the extremality.
+double ExtremalityErrors::Magnified(double height, Id p, double radius) const
+{
+  return this->GainAt(p) * height / (radius * radius * radius);
+}
+
+/// Of the coordinates' precision and of the fit itself.
 double ExtremalityErrors::RoundingError(Id p, double radius) const
 {
-  const double grain = this->Rounding_ * this->Source_.mesh.Point(p).cwiseAbs().maxCoeff();
-  return (FitRounding + this->GainAt(p) * grain / radius) / (radius * radius);
+  const double height = this->Rounding_.OfPrecision() * this->LargestCoordinate(p);
+  return FitRounding / (radius * radius) + this->Magnified(height, p, radius);
 }
 
 bool ExtremalityErrors::IsRoundOff(Id p) const

@@ -4,6 +4,7 @@
 #define ridges_ExtremalityErrors_h
 
 #include "Fit/FitErrors.h"
+#include "Mesh/CoordinateRounding.h"
 #include "Mesh/IdTable.h"
 #include "Monge/MongeField.h"
 
@@ -98,6 +99,8 @@ private:
   bool IsBad(Id p) const;
   bool IsUnresolved(Id p) const;
   bool IsRoundOff(Id p) const;
+  double LargestCoordinate(Id p) const;
+  double Magnified(double height, Id p, double radius) const;
   double RoundingError(Id p, double radius) const;
   Sums At(Id p) const;
   Verdict Compare(const Sums& sums) const;
@@ -107,7 +110,7 @@ private:
   Source Source_;
   Color Color_;
   double Significance_;
-  double Rounding_;
+  CoordinateRounding Rounding_;
   Verdict FindVerdict(Id p);
 
   IdTable<Sums> Asked_;     ///< Of points that VerdictAt needed.
