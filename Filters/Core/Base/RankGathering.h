@@ -22,8 +22,9 @@ std::vector<std::vector<T>> GatherAllValues(Ranks& ranks, const std::vector<T>& 
 {
   Bytes message;
   Pack(message, values);
+  const std::vector<Bytes> ofAll = ranks.GatherAll(std::move(message));
   std::vector<std::vector<T>> received;
-  for (const Bytes& bytes : ranks.GatherAll(std::move(message)))
+  for (const Bytes& bytes : ofAll)
   {
     received.push_back(Unpacker(bytes).Take<T>());
   }
@@ -78,8 +79,9 @@ inline std::vector<std::string> GatherAllTexts(Ranks& ranks, const std::string& 
 {
   Bytes message;
   PackText(message, text);
+  const std::vector<Bytes> ofAll = ranks.GatherAll(std::move(message));
   std::vector<std::string> texts;
-  for (const Bytes& bytes : ranks.GatherAll(std::move(message)))
+  for (const Bytes& bytes : ofAll)
   {
     texts.push_back(Unpacker(bytes).TakeText());
   }

@@ -172,11 +172,12 @@ void SharedMesh::RankCoincident(Ranks& ranks)
   }
   Bytes message;
   Pack(message, own);
+  const std::vector<Bytes> ofAll = ranks.GatherAll(std::move(message));
   std::unordered_map<std::int64_t, Id> pointOf;
   std::unordered_map<std::int64_t, Id> triangleOf;
   std::vector<double> positions;
   std::vector<Triangle> triangles;
-  for (const Bytes& bytes : ranks.GatherAll(std::move(message)))
+  for (const Bytes& bytes : ofAll)
   {
     const MeshPatch patch = TakePatch(bytes);
     for (const MeshPatch::Corner& corner : patch.points)

@@ -53,7 +53,7 @@ inline Vec WithSign(const Vec& a, const Vec& b)
 
 inline Vec Sqrt(const Vec& a)
 {
-  Vec root;
+  Vec root{};
   for (int lane = 0; lane < Lanes; ++lane)
   {
     root[lane] = __builtin_sqrt(a[lane]);
