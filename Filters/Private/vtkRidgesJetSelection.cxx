@@ -73,6 +73,21 @@ struct LookAtRemains
   }
 };
 
+/// What a low degree leaves over on many rings is of the surface, and looks like correlated noise.
+/// As high a degree as its coefficients are few beside the points.
+int DegreeToLookWith(int numberOfRings, int leastDegree)
+{
+  constexpr int highestDegree = 6;
+  constexpr int fewPerCent = 15;
+  const int points = 1 + 3 * numberOfRings * (numberOfRings + 1);
+  int degree = leastDegree;
+  while (degree < highestDegree && 100 * (degree + 2) * (degree + 3) / 2 <= fewPerCent * points)
+  {
+    ++degree;
+  }
+  return degree;
+}
+
 /// Of noise that is independent, estimates scatter by about 0.03.
 constexpr double HardlyCorrelated = 0.1;
 
@@ -211,11 +226,12 @@ bool Select(
   // A polynomial on fewer follows what neighbours have in common.
   constexpr int fewestRings = 5;
   const int rings = std::max(choice.numberOfRings, fewestRings);
+  const int degree = DegreeToLookWith(rings, choice.degree);
   std::vector<ridges::JetRemains> remains;
   const auto look = [&](const ridges::TriangleMesh& mesh, const ridges::OrderedRings& ordered,
                       const Sample& sample, std::vector<ridges::JetRemains>& values)
   {
-    LookAtRemains body{ mesh, ordered, sample, rings, choice.degree, values, {} };
+    LookAtRemains body{ mesh, ordered, sample, rings, degree, values, {} };
     return vtkRidgesForBatches(filter, static_cast<vtkIdType>(sample.size()), from, to, body);
   };
   if (!where.ForSample(rings, remains, look))

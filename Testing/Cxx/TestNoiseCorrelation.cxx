@@ -5,6 +5,7 @@
 // 1 / sqrt(6 * 300) = 0.024 if there is none: the limit is four times that.
 
 #include "FilterTestTools.h"
+#include "ParametricMesh.h"
 
 #include "vtkFieldData.h"
 #include "vtkJetFitting.h"
@@ -102,5 +103,21 @@ TEST(NoiseCorrelation, TellsSmoothedNoiseFromIndependentNoise)
         }
       }
     }
+  }
+}
+
+//------------------------------------------------------------------------------
+// On many rings degree 4 leaves over some of the surface, which is alike from point to point.
+TEST(NoiseCorrelation, TakesNoneOfTheSurfaceForNoise)
+{
+  constexpr double pi = 3.14159265358979323846;
+  const auto sphere = [](double u, double v)
+  { return Eigen::Vector3d(std::sin(v) * std::cos(u), std::sin(v) * std::sin(u), std::cos(v)); };
+  const Mesh cap = ParametricMesh(sphere, { 0.0, 2.0 * pi, 0.4, 1.4, 224, 45, true, false, 0.0 });
+  for (const double noise : { 1e-3, 1e-2 })
+  {
+    const Report report = ReportOf(AddNormalNoise(cap, noise * MeanEdgeLength(cap), 3));
+    EXPECT_LT(std::abs(report.correlation), Limit) << noise;
+    EXPECT_FALSE(report.saysUnreliable) << noise;
   }
 }

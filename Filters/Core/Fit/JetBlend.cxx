@@ -30,9 +30,10 @@ std::vector<BlendedJet> JetsWithoutNoise()
 
 std::vector<BlendedJet> JetsWithNoise(int numberOfRings)
 {
-  const auto rings = [numberOfRings](double times, int least)
-  { return std::max(least, static_cast<int>(std::lround(times * numberOfRings))); };
-  return { { 4, rings(0.67, 2) }, { 4, rings(1.33, 3) }, { 6, rings(1.67, 3) } };
+  // Their points are many: those of 40 rings would be 5,000.
+  const auto rings = [numberOfRings](double times, int least, int most)
+  { return std::clamp(static_cast<int>(std::lround(times * numberOfRings)), least, most); };
+  return { { 4, rings(0.67, 2, 16) }, { 4, rings(1.33, 3, 24) }, { 6, rings(1.67, 3, 28) } };
 }
 
 double WeightInBlend(const BlendedJet& jet, double residual, double radius, double noiseGain)

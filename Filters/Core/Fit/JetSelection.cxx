@@ -108,6 +108,9 @@ constexpr double VarianceOfAverage = 3.0 / 7.0;
 /// Averages are small beside such neighbourhoods only.
 constexpr int FewestRingsToAverage = 5;
 
+/// Noise, of an edge: single precision has less. Averages would err more in k than they gain.
+constexpr double HardlyAnyNoise = 1e-5;
+
 /// The variance of some averages in squared radii.
 double SquaredSigma(int averages, int numberOfRings)
 {
@@ -313,6 +316,12 @@ double JetSelection::SquaredBias(const Group& group, std::size_t step, int degre
   return least;
 }
 
+bool JetSelection::MayAverage(std::size_t step) const
+{
+  return RingsToTry[step] >= FewestRingsToAverage &&
+    std::sqrt(this->NoiseAt(step)) >= HardlyAnyNoise * this->Edge_;
+}
+
 void JetSelection::Choose()
 {
   // An odd degree gives even derivatives as the one below it does, and odd ones as the one above.
@@ -327,7 +336,7 @@ void JetSelection::Choose()
     {
       for (const int averages : { 0, MostAverages })
       {
-        if (averages > 0 && RingsToTry[step] < FewestRingsToAverage)
+        if (averages > 0 && !this->MayAverage(step))
         {
           continue;
         }
@@ -356,13 +365,12 @@ void JetSelection::Choose()
 void JetSelection::MayBlend()
 {
   constexpr int mostRings = 5;
-  constexpr double hardlyAny = 1e-5; // of an edge
   constexpr double muchLess = 0.1;
   JetChoice& choice = this->Choice_;
   const double leftOver = std::sqrt(this->LeftOver_);
   if (std::isfinite(this->Least_) && this->Degree_ == 0 && this->Order_ > 2 &&
     choice.numberOfRings <= mostRings &&
-    (choice.noise < hardlyAny * this->Edge_ || leftOver < muchLess * choice.noise))
+    (choice.noise < HardlyAnyNoise * this->Edge_ || leftOver < muchLess * choice.noise))
   {
     const std::vector<BlendedJet> jets = JetsWithoutNoise();
     const double noise = std::min(choice.noise, leftOver);

@@ -82,6 +82,7 @@ private:
   Terms TermsOf(const std::vector<JetTrial>& trials, std::size_t group) const;
   double NoiseAt(std::size_t step) const;
   double SquaredBias(const Group& group, std::size_t step, int degree) const;
+  bool MayAverage(std::size_t step) const;
   double MeanError(std::size_t step, int degree, int averages) const;
   void Choose();
   void MayBlend();

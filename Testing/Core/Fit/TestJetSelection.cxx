@@ -229,7 +229,7 @@ TEST(JetBlend, WeightInNoisyBlendIsOneOverTheSquareOfTheError)
 }
 
 //------------------------------------------------------------------------------
-// Fewer rings and more than those that are best for the mesh as a whole, the highest degree last.
+// Fewer rings, and more, than those that are best for the mesh as a whole, the highest degree last.
 TEST(JetBlend, FitsWithNoiseHaveRingsAroundTheBest)
 {
   for (const int best : { 3, 5, 12, 24 })
@@ -237,7 +237,8 @@ TEST(JetBlend, FitsWithNoiseHaveRingsAroundTheBest)
     const std::vector<BlendedJet> jets = JetsWithNoise(best);
     ASSERT_EQ(jets.size(), 3u);
     EXPECT_LT(jets[0].numberOfRings, best);
-    EXPECT_GT(jets[1].numberOfRings, best);
+    EXPECT_GE(jets[1].numberOfRings, best);
+    EXPECT_LE(jets[2].numberOfRings, 28); // as more take long
     EXPECT_GT(jets[2].numberOfRings, jets[1].numberOfRings);
     EXPECT_EQ(jets[0].degree, 4);
     EXPECT_EQ(jets[1].degree, 4);
@@ -254,6 +255,8 @@ TEST(JetSelection, NoiseTakesMoreRings)
   const JetChoice clean = Choose(mesh, 3);
   EXPECT_GE(clean.degree, 6);
   EXPECT_EQ(clean.numberOfAverages, 0);
+  // Of single precision, which no averages are for.
+  EXPECT_EQ(Choose(AddNormalNoise(mesh, 5e-6 * edge, 3), 3).numberOfAverages, 0);
   int rings = clean.numberOfRings;
   for (const double noise : { 1e-3, 0.01, 0.05 })
   {
