@@ -175,11 +175,12 @@ void vtkRidgesGathering::AddFieldData(vtkPolyData* part)
 vtkRidgesGathering::Contents vtkRidgesGathering::ContentsOf(
   vtkAlgorithm* filter, const Extent& extent)
 {
-  return this->ContentsOf(filter, this->Piece.GetPolyData(), this->Mesh->Triangles(), extent);
+  return ContentsOf(filter, this->Piece.GetPolyData(), this->Mesh->Triangles(), extent,
+    this->CoordinateRounding.Height());
 }
 
 vtkRidgesGathering::Contents vtkRidgesGathering::ContentsOf(vtkAlgorithm* filter, vtkPolyData* data,
-  ridges::Span<ridges::Triangle> triangles, const Extent& extent)
+  ridges::Span<ridges::Triangle> triangles, const Extent& extent, double rounding)
 {
   const auto count = static_cast<Id>(data->GetNumberOfPoints());
   Contents atPoints(count, ridges::TriangleContent::Nothing);
@@ -189,8 +190,9 @@ vtkRidgesGathering::Contents vtkRidgesGathering::ContentsOf(vtkAlgorithm* filter
   }
   vtkRidgesMongeArrays arrays;
   arrays.Fetch(filter, data, false);
-  const ridges::TriangleContents contents(
-    arrays.GetField(), arrays.GetErrors(), extent.significance, count);
+  ridges::FitErrorSource errors = arrays.GetErrors();
+  errors.rounding = rounding;
+  const ridges::TriangleContents contents(arrays.GetField(), errors, extent.significance, count);
   // Along borders it takes all fits that are one-sided to know what their ridges mean.
   const std::vector<std::uint8_t> isFlagged = arrays.FlaggedPoints();
   const auto contentOf = [&contents, &isFlagged](const ridges::Triangle& corners)

@@ -82,9 +82,9 @@ protected:
   /// The most that may be in any triangle at each point of the piece.
   virtual Contents ContentsOf(vtkAlgorithm* filter, const Extent& extent);
 
-  /// The same by the arrays of a mesh.
+  /// The same by the arrays of a mesh. `rounding` is that of FitErrorSource.
   static Contents ContentsOf(vtkAlgorithm* filter, vtkPolyData* data,
-    ridges::Span<ridges::Triangle> triangles, const Extent& extent);
+    ridges::Span<ridges::Triangle> triangles, const Extent& extent, double rounding);
 
   /// Some points of the piece: see vtkRidgesPackPoints.
   virtual void PackPoints(ridges::Bytes& message, const std::vector<ridges::Id>& points);

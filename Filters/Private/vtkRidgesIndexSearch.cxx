@@ -3,6 +3,7 @@
 #include "vtkRidgesIndexSearch.h"
 
 #include "Core/Fit/FitErrors.h"
+#include "Core/Mesh/CoordinateRounding.h"
 #include "Core/Mesh/PositionOrder.h"
 #include "Core/Monge/TamePoint.h"
 #include "Core/Umbilics/DirectionIndex.h"
@@ -37,6 +38,7 @@ struct LookAtPoints
     , isTame(triangles.NumberOfPoints(), 0)
     , gapErrors(triangles.NumberOfPoints(), 0.0)
   {
+    this->errors.rounding = ridges::FindCoordinateRounding(triangles).Height();
   }
 
   void operator()(vtkIdType begin, vtkIdType end)
@@ -55,7 +57,7 @@ struct LookAtPoints
 
   const ridges::TriangleMesh& mesh;
   const ridges::MongeField& field;
-  const ridges::FitErrorSource& errors;
+  ridges::FitErrorSource errors;
   double significance;
   std::vector<std::uint8_t> isTame;
   std::vector<double> gapErrors;

@@ -3,6 +3,7 @@
 #include "vtkRidgesStreamedGathering.h"
 
 #include "Core/Fit/JetFit.h"
+#include "Core/Mesh/CoordinateRounding.h"
 #include "vtkRidgesArrayNames.h"
 #include "vtkRidgesGatheredRows.h"
 #include "vtkRidgesJetSelection.h"
@@ -65,6 +66,7 @@ bool vtkRidgesStreamedGathering::Take(
   this->Radii.assign(count, 0.0);
   this->IdInPiece.assign(count, -1);
   this->WithContent = 0;
+  this->Rounding = ridges::FindCoordinateRounding(*this->Mesh).Height();
   this->PartMayDo = !extent.isAll && fit.GetMesh().Points().Coincident().empty();
   if (!fit.Choose(jets))
   {
@@ -139,7 +141,8 @@ bool vtkRidgesStreamedGathering::TakePiece(int piece, vtkAlgorithm* filter, cons
   const auto data = DataOf(*this->Mesh, points, this->Fit->GetCoordinateType(), values);
   const ridges::Span<ridges::Triangle> ofPiece = { triangles.data(),
     triangles.data() + triangles.size() };
-  const Contents contents = vtkRidgesGathering::ContentsOf(filter, data, ofPiece, extent);
+  const Contents contents =
+    vtkRidgesGathering::ContentsOf(filter, data, ofPiece, extent, this->Rounding);
   const Id taken = this->Fit->GetPieces().FirstTriangle(piece + 1);
   this->PartMayDo = !this->NeedsAll(ofPiece, contents, taken);
   auto* status = vtkIntArray::SafeDownCast(data->GetPointData()->GetArray(names::FitStatus));

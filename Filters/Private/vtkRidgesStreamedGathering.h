@@ -45,6 +45,7 @@ private:
   vtkRidgesStreamedFit* Fit = nullptr;
   Contents Known;
   std::vector<double> Radii;         ///< Of fits.
+  double Rounding = 0.0;             ///< See FitErrorSource.
   std::vector<ridges::Id> IdInPiece; ///< Of points of the piece that is taken; else -1.
   std::int64_t WithContent = 0;      ///< Triangles of pieces in which, or beside, something may be.
   vtkJetFitting* WarnsLater = nullptr;

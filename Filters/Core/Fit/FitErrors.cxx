@@ -98,8 +98,14 @@ double FromResiduals(const TriangleMesh& mesh, const FitErrorSource& source, Id 
   };
   const auto square = [&source, &unit](Id p)
   {
-    const double ratio = source.fitScale[p] > 0.0 ? source.fitResidual[p] * unit(p) : 0.0;
-    return ratio * ratio;
+    if (!(source.fitScale[p] > 0.0))
+    {
+      return 0.0;
+    }
+    const double rounding = Order == 1 ? source.rounding / source.fitScale[p] : 0.0;
+    const double squaredUnit = unit(p) * unit(p);
+    const double residual = source.fitResidual[p];
+    return (residual * residual + rounding * rounding) * squaredUnit;
   };
   const double meanSquare = MeanSquareAround(mesh, point, square);
   if (!std::isfinite(meanSquare))
@@ -175,8 +181,9 @@ bool MayBeWeak(const MongeField& field, const FitErrorSource& source, double sig
   const double scale = source.fitScale[point];
   const double gap = field.k1[point] - field.k2[point];
   constexpr double rounding = 1e-10;
-  return !(gap * scale >
-    significance * (mostError * mostOfNeighbors * source.fitResidual[point] + rounding));
+  return !(gap * scale > significance *
+      (mostError * (mostOfNeighbors * source.fitResidual[point] + source.rounding / scale) +
+        rounding));
 }
 
 namespace

@@ -19,6 +19,10 @@ struct FitErrorSource
   const double* fitResidual = nullptr;     ///< rms of the heights left over, per fitting radius.
   const double* fitScale = nullptr;        ///< The fitting radius.
   const double* noiseGain = nullptr;       ///< Of the fits: see JetFit.
+
+  /// Of heights, by the rounding of coordinates: residuals may not show it. In the error of k1 -
+  /// k2.
+  double rounding = 0.0;
 };
 
 /**

@@ -73,6 +73,7 @@ CoordinateRounding& CoordinateRounding::Include(const CoordinateRounding& other)
 {
   this->isSingle = this->isSingle && other.isSingle;
   this->digits = std::max(this->digits, other.digits);
+  this->largest = std::max(this->largest, other.largest);
   return *this;
 }
 
@@ -81,6 +82,7 @@ CoordinateRounding& CoordinateRounding::Include(double coordinate)
   const bool isSingleHere = IsSingle(coordinate);
   this->isSingle = this->isSingle && isSingleHere;
   const double magnitude = std::abs(coordinate);
+  this->largest = std::max(this->largest, magnitude);
   if (magnitude < std::numeric_limits<double>::min() || this->digits >= NotDecimal)
   {
     return *this;
@@ -110,6 +112,13 @@ double CoordinateRounding::OfDigits(double coordinate) const
   return step / std::sqrt(12.0);
 }
 
+double CoordinateRounding::Height() const
+{
+  return this->IsCoarse() ? std::hypot(this->OfPrecision() * this->largest / std::sqrt(3.0),
+                              this->OfDigits(this->largest))
+                          : 0.0;
+}
+
 CoordinateRounding FindCoordinateRounding(const TriangleMesh& mesh)
 {
   if (mesh.Part())
@@ -123,7 +132,7 @@ CoordinateRounding FindCoordinateRounding(const TriangleMesh& mesh)
     {
       rounding.Include(x);
     }
-    if (!rounding.isSingle && rounding.digits == CoordinateRounding::NotDecimal)
+    if (!rounding.IsCoarse())
     {
       break;
     }

@@ -19,6 +19,7 @@ struct CoordinateRounding
 
   bool isSingle = true; ///< All coordinates are numbers of single precision.
   int digits = 0;       ///< The most significant decimal digits that any coordinate has.
+  double largest = 0.0; ///< Of the coordinates, by absolute value, where these are rounded.
 
   CoordinateRounding& Include(double coordinate);
   CoordinateRounding& Include(const CoordinateRounding& other);
@@ -29,6 +30,12 @@ struct CoordinateRounding
   /// The standard deviation of the error of digits at a coordinate; 0 if there is none. Up to four
   /// digits count as meant: those of grids and voxels.
   double OfDigits(double coordinate) const;
+
+  /// Whether it is coarser than double precision.
+  bool IsCoarse() const { return this->isSingle || this->digits < NotDecimal; }
+
+  /// The standard deviation of the error at the largest coordinate; 0 if it is not coarse.
+  double Height() const;
 };
 
 /// Of a part of a mesh: that of the whole mesh.

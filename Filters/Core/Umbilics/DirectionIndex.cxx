@@ -109,9 +109,17 @@ double DirectionIndex::Turned(Id triangle, DirectionFans::Memory& memory) const
   return turned;
 }
 
+bool DirectionIndex::IsFoldOnBorder(Id triangle) const
+{
+  const Triangle& c = this->Mesh_.Corners(triangle);
+  return (this->Mesh_.OnBorder(c[0]) || this->Mesh_.OnBorder(c[1]) || this->Mesh_.OnBorder(c[2])) &&
+    !DirectionsMayTurn(this->Field_, c);
+}
+
 int DirectionIndex::HalfTurns(Id triangle, DirectionFans::Memory& memory) const
 {
-  return static_cast<int>(std::lround(this->Turned(triangle, memory) / Pi));
+  const auto halfTurns = static_cast<int>(std::lround(this->Turned(triangle, memory) / Pi));
+  return halfTurns != 0 && this->IsFoldOnBorder(triangle) ? 0 : halfTurns;
 }
 
 int DirectionIndex::HalfTurns(Id triangle) const
@@ -127,7 +135,10 @@ int DirectionIndex::HalfTurns(const std::vector<Id>& region) const
   DirectionFans::Memory memory;
   for (const Id t : region)
   {
-    turned += this->Turned(t, memory);
+    const double here = this->Turned(t, memory);
+    const double halfTurns = std::round(here / Pi);
+    turned += here;
+    turned -= halfTurns != 0.0 && this->IsFoldOnBorder(t) ? halfTurns * Pi : 0.0;
   }
   return static_cast<int>(std::lround(turned / Pi));
 }

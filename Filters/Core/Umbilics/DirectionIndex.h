@@ -30,6 +30,10 @@ bool DirectionsMayTurn(const MongeField& field, const Triangle& corners);
  * the Euler characteristic.
  *
  * An odd number of half turns is what IsRegular tells: the index says the sign as well.
+ *
+ * On a border, where nothing has to sum to anything, a triangle with hardly any area may be folded
+ * back, as between the nearly coincident points of a seam that is closed in parts. Its angles turn
+ * though the directions do not: then there are no half turns.
  */
 class DirectionIndex
 {
@@ -68,6 +72,7 @@ private:
   double TurnWithin(Id triangle, int side, const Directions& at) const;
   double TurnForBoth(Id triangle, int side, DirectionFans::Memory& memory) const;
   double Turned(Id triangle, DirectionFans::Memory& memory) const;
+  bool IsFoldOnBorder(Id triangle) const;
 
   const TriangleMesh& Mesh_;
   MongeField Field_;
