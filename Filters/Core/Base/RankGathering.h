@@ -24,6 +24,7 @@ std::vector<std::vector<T>> GatherAllValues(Ranks& ranks, const std::vector<T>& 
   Pack(message, values);
   const std::vector<Bytes> ofAll = ranks.GatherAll(std::move(message));
   std::vector<std::vector<T>> received;
+  received.reserve(ofAll.size());
   for (const Bytes& bytes : ofAll)
   {
     received.push_back(Unpacker(bytes).Take<T>());
@@ -81,6 +82,7 @@ inline std::vector<std::string> GatherAllTexts(Ranks& ranks, const std::string& 
   PackText(message, text);
   const std::vector<Bytes> ofAll = ranks.GatherAll(std::move(message));
   std::vector<std::string> texts;
+  texts.reserve(ofAll.size());
   for (const Bytes& bytes : ofAll)
   {
     texts.push_back(Unpacker(bytes).TakeText());

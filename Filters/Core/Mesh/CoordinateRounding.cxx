@@ -27,20 +27,24 @@ bool IsSingle(double x)
   return static_cast<double>(static_cast<float>(x)) == x;
 }
 
-/// 10 to the power of `exponent`, which is exact up to 22.
+constexpr int MostTabled = 20;
+
+/// 10 to the power of `exponent`, from a table where it is about 0.
 double PowerOfTen(int exponent)
 {
-  static const std::array<double, 41> powers = []
+  static const std::array<double, 2 * MostTabled + 1> powers = []
   {
-    std::array<double, 41> all{};
-    for (int i = 0; i < static_cast<int>(all.size()); ++i)
+    std::array<double, 2 * MostTabled + 1> all{};
+    int power = -MostTabled;
+    for (double& each : all)
     {
-      all[static_cast<std::size_t>(i)] = std::pow(10.0, i - 20);
+      each = std::pow(10.0, power++);
     }
     return all;
   }();
-  return exponent >= -20 && exponent <= 20 ? powers[static_cast<std::size_t>(exponent + 20)]
-                                           : std::pow(10.0, exponent);
+  const int place = exponent + MostTabled;
+  return place >= 0 && place <= 2 * MostTabled ? powers[static_cast<std::size_t>(place)]
+                                               : std::pow(10.0, exponent);
 }
 
 /// The power of ten of the first digit. From that of two, which may be one too low.
