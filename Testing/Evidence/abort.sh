@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-FileCopyrightText: Copyright (c) vtkRidges contributors
 # SPDX-License-Identifier: BSD-3-Clause
-# How soon filters end that are aborted, written into Filters/Documentation/Evidence.md; half an hour.
+# How soon filters end that are aborted, written into Filters/Documentation/Evidence.md; hours at the
+# default size, two minutes at 100.
 #
 #   Testing/Evidence/abort.sh [FREQUENCY]
 #
