@@ -86,12 +86,13 @@ bool vtkRidgesEvenMesh::Make(vtkAlgorithm* filter, const ridges::JetFunction& fu
     const double from = progressAt(loops);
     return vtkRidgesForBatches(filter, count, from, progressAt(++loops), run);
   };
-  const auto goesOn = [filter, &loops, &progressAt]()
+  // Between two loops there are few passes, or many: progress stands still.
+  const ridges::Monitor monitor = [filter, &loops, &progressAt](double)
   {
     filter->UpdateProgress(progressAt(loops));
     return !vtkRidgesCompatibility::IsAborted(filter);
   };
-  if (!ridges::MakeEven(mesh, rough, surface, edgeLength, loop, goesOn))
+  if (!ridges::MakeEven(mesh, rough, surface, edgeLength, loop, monitor))
   {
     return false;
   }

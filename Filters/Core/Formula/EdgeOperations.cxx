@@ -75,14 +75,15 @@ std::vector<Side> SortedSides(const EditableMesh& mesh)
   return sides;
 }
 
-/// Edges between two looks whether to stop, which take some hundredths of a second.
-constexpr std::size_t EdgesAtATime = 1 << 16;
+/// Between two looks whether to stop, which take some hundredths of a second.
+constexpr std::size_t SidesAtATime = 1 << 16;
 
 /// Calls visit(first, count) for the sides of each edge; false if it was stopped.
 template <typename Visit>
-bool ForEdges(const std::vector<Side>& sides, const Visit& visit, const GoesOn& goesOn = Always)
+bool ForEdges(
+  const std::vector<Side>& sides, const Visit& visit, const Monitor& monitor = NeverStops)
 {
-  std::size_t next = EdgesAtATime;
+  std::size_t next = SidesAtATime;
   for (std::size_t i = 0; i < sides.size();)
   {
     std::size_t end = i + 1;
@@ -94,11 +95,11 @@ bool ForEdges(const std::vector<Side>& sides, const Visit& visit, const GoesOn& 
     i = end;
     if (i >= next)
     {
-      if (!goesOn())
+      if (!monitor(static_cast<double>(i) / static_cast<double>(sides.size())))
       {
         return false;
       }
-      next += EdgesAtATime;
+      next += SidesAtATime;
     }
   }
   return true;
@@ -107,7 +108,7 @@ bool ForEdges(const std::vector<Side>& sides, const Visit& visit, const GoesOn& 
 /// The edges for which `isWanted(edge)` holds, by growing length. None if it was stopped.
 template <typename IsWanted>
 std::vector<InnerEdge> InnerEdges(const EditableMesh& mesh, const std::vector<Side>& sides,
-  const IsWanted& isWanted, const GoesOn& goesOn)
+  const IsWanted& isWanted, const Monitor& monitor)
 {
   std::vector<InnerEdge> edges;
   const auto visit = [&mesh, &edges, &isWanted](const Side* side, int count)
@@ -127,7 +128,7 @@ std::vector<InnerEdge> InnerEdges(const EditableMesh& mesh, const std::vector<Si
       edges.push_back(edge);
     }
   };
-  if (!ForEdges(sides, visit, goesOn))
+  if (!ForEdges(sides, visit, monitor))
   {
     return {};
   }
@@ -179,12 +180,12 @@ std::vector<std::uint8_t> BorderPoints(const EditableMesh& mesh, const std::vect
 
 /// Calls visit(edge) until it is stopped, which is looked at now and then.
 template <typename Visit>
-bool ForEach(const std::vector<InnerEdge>& edges, const Visit& visit, const GoesOn& goesOn)
+bool ForEach(const std::vector<InnerEdge>& edges, const Visit& visit, const Monitor& monitor)
 {
   constexpr std::size_t atATime = 1 << 12;
   for (std::size_t i = 0; i < edges.size(); ++i)
   {
-    if (i % atATime == 0 && !goesOn())
+    if (i % atATime == 0 && !monitor(static_cast<double>(i) / static_cast<double>(edges.size())))
     {
       return false;
     }
@@ -350,11 +351,12 @@ void Compact(EditableMesh& mesh)
 
 } // namespace
 
-Id SplitLongEdges(EditableMesh& mesh, double longest, const PlacePoint& place, const GoesOn& goesOn)
+Id SplitLongEdges(
+  EditableMesh& mesh, double longest, const PlacePoint& place, const Monitor& monitor)
 {
   std::vector<InnerEdge> edges = InnerEdges(
     mesh, SortedSides(mesh), [longest](const InnerEdge& edge) { return edge.length > longest; },
-    goesOn);
+    monitor);
   std::reverse(edges.begin(), edges.end());
   std::vector<std::uint8_t> isTouched(mesh.triangles.size(), 0);
   Id count = 0;
@@ -378,25 +380,25 @@ Id SplitLongEdges(EditableMesh& mesh, double longest, const PlacePoint& place, c
     isTouched[edge.first] = isTouched[edge.second] = 1;
     ++count;
   };
-  return ForEach(edges, split, goesOn) ? count : 0;
+  return ForEach(edges, split, monitor) ? count : 0;
 }
 
 Id CollapseShortEdges(EditableMesh& mesh, double shortest, double longest, const PlacePoint& place,
-  const GoesOn& goesOn)
+  const Monitor& monitor)
 {
   const std::vector<Side> sides = SortedSides(mesh);
   const std::vector<InnerEdge> edges = InnerEdges(
-    mesh, sides, [shortest](const InnerEdge& edge) { return edge.length < shortest; }, goesOn);
+    mesh, sides, [shortest](const InnerEdge& edge) { return edge.length < shortest; }, monitor);
   Contraction contraction(mesh, sides, longest, place);
   Id count = 0;
   const auto contract = [&contraction, &count](const InnerEdge& edge)
   { count += contraction.Contract(edge) ? 1 : 0; };
-  const bool isDone = ForEach(edges, contract, goesOn);
+  const bool isDone = ForEach(edges, contract, monitor);
   Compact(mesh);
   return isDone ? count : 0;
 }
 
-Id FlipToDelaunay(EditableMesh& mesh, const GoesOn& goesOn)
+Id FlipToDelaunay(EditableMesh& mesh, const Monitor& monitor)
 {
   const std::vector<Side> sides = SortedSides(mesh);
   std::vector<std::uint8_t> isTouched(mesh.triangles.size(), 0);
@@ -429,8 +431,8 @@ Id FlipToDelaunay(EditableMesh& mesh, const GoesOn& goesOn)
     ++count;
   };
   const std::vector<InnerEdge> edges = InnerEdges(
-    mesh, sides, [&mesh](const InnerEdge& edge) { return IsNotDelaunay(mesh, edge); }, goesOn);
-  return ForEach(edges, flip, goesOn) ? count : 0;
+    mesh, sides, [&mesh](const InnerEdge& edge) { return IsNotDelaunay(mesh, edge); }, monitor);
+  return ForEach(edges, flip, monitor) ? count : 0;
 }
 
 std::vector<std::uint8_t> FindBorderPoints(const EditableMesh& mesh)

@@ -3,6 +3,7 @@
 #ifndef ridges_EdgeOperations_h
 #define ridges_EdgeOperations_h
 
+#include "Base/Monitor.h"
 #include "Mesh/Triangle.h"
 
 #include <Eigen/Core>
@@ -24,30 +25,22 @@ struct EditableMesh
 /// Moves a point to the surface; false if that is not possible near to it.
 using PlacePoint = std::function<bool(Eigen::Vector3d& point)>;
 
-/// Whether nobody has asked to stop.
-using GoesOn = std::function<bool()>;
-
-inline bool Always()
-{
-  return true;
-}
-
 // Each makes one pass over all edges, in an order of their own; what lies next to a change is left
 // for the next pass. Returns how many edges were changed. Edges on the border stay as they are. A
-// pass that is stopped leaves a valid mesh, and returns 0.
+// pass that its monitor stops leaves a valid mesh, and returns 0.
 
 /// Divides edges that are longer, the longest first.
 Id SplitLongEdges(
-  EditableMesh& mesh, double longest, const PlacePoint& place, const GoesOn& goesOn = Always);
+  EditableMesh& mesh, double longest, const PlacePoint& place, const Monitor& monitor = NeverStops);
 
 /// Contracts edges that are shorter, the shortest first, unless that would change the topology,
 /// fold the surface or make an edge longer than `longest`. Points on the border stay.
 Id CollapseShortEdges(EditableMesh& mesh, double shortest, double longest, const PlacePoint& place,
-  const GoesOn& goesOn = Always);
+  const Monitor& monitor = NeverStops);
 
 /// Replaces edges whose opposite angles add up to more than pi by the other diagonal of their two
 /// triangles, unless that would fold the surface or double an edge.
-Id FlipToDelaunay(EditableMesh& mesh, const GoesOn& goesOn = Always);
+Id FlipToDelaunay(EditableMesh& mesh, const Monitor& monitor = NeverStops);
 
 /// Which points are on the border.
 std::vector<std::uint8_t> FindBorderPoints(const EditableMesh& mesh);

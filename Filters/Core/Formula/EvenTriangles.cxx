@@ -73,7 +73,7 @@ void Repeat(int atMost, const Pass& pass)
 } // namespace
 
 bool MakeEven(EditableMesh& mesh, const ExactSurface& rough, const ExactSurface& surface,
-  double edgeLength, const StoppableLoop& loop, const GoesOn& goesOn)
+  double edgeLength, const StoppableLoop& loop, const Monitor& monitor)
 {
   constexpr int passes = 5;
   const double shortest = 0.8 * edgeLength;
@@ -89,11 +89,11 @@ bool MakeEven(EditableMesh& mesh, const ExactSurface& rough, const ExactSurface&
     point = isGood ? single.position[0] : point;
     return isGood;
   };
-  const auto flip = [&mesh, &goesOn]() { return FlipToDelaunay(mesh, goesOn); };
-  const auto collapse = [&mesh, shortest, longest, &place, &goesOn]()
-  { return CollapseShortEdges(mesh, shortest, longest, place, goesOn); };
-  const auto split = [&mesh, longest, &place, &goesOn]()
-  { return SplitLongEdges(mesh, longest, place, goesOn); };
+  const auto flip = [&mesh, &monitor]() { return FlipToDelaunay(mesh, monitor); };
+  const auto collapse = [&mesh, shortest, longest, &place, &monitor]()
+  { return CollapseShortEdges(mesh, shortest, longest, place, monitor); };
+  const auto split = [&mesh, longest, &place, &monitor]()
+  { return SplitLongEdges(mesh, longest, place, monitor); };
 
   const std::vector<Eigen::Vector3d> first = mesh.points;
   bool isWanted = MovePoints(mesh, first, rough, edgeLength, loop);
@@ -105,10 +105,10 @@ bool MakeEven(EditableMesh& mesh, const ExactSurface& rough, const ExactSurface&
       Repeat(passes, split);
     }
     Repeat(passes, flip);
-    isWanted = goesOn() && Relax(mesh, rough, edgeLength, loop);
+    isWanted = monitor(1.0) && Relax(mesh, rough, edgeLength, loop);
   }
   Repeat(passes, flip);
-  isWanted = isWanted && goesOn();
+  isWanted = isWanted && monitor(1.0);
   if (isWanted && &rough != &surface)
   {
     const std::vector<Eigen::Vector3d> near = mesh.points;
