@@ -81,7 +81,7 @@ int DegreeToLookWith(int numberOfRings, int leastDegree)
   constexpr int fewPerCent = 15;
   const int points = 1 + 3 * numberOfRings * (numberOfRings + 1);
   int degree = leastDegree;
-  while (degree < highestDegree && 100 * (degree + 2) * (degree + 3) / 2 <= fewPerCent * points)
+  while (degree < highestDegree && 100 * ridges::HeightJet::Size(degree + 1) <= fewPerCent * points)
   {
     ++degree;
   }
@@ -109,7 +109,6 @@ void BlendNoisyFits(ridges::JetChoice& choice)
 /// For a person, in one line.
 std::string TextOf(const ridges::JetChoice& choice)
 {
-  constexpr double hardlyAny = 1e-5;
   std::ostringstream text;
   text.precision(2);
   text << "degree " << choice.degree << " on " << choice.numberOfRings << " rings";
@@ -117,7 +116,7 @@ std::string TextOf(const ridges::JetChoice& choice)
   {
     text << ", averaged " << choice.numberOfAverages << " times";
   }
-  if (choice.noise > hardlyAny * choice.edge)
+  if (choice.noise > ridges::JetChoice::HardlyAnyNoise * choice.edge)
   {
     text << ", for noise of about " << 100.0 * choice.noise / choice.edge << " % of an edge";
     if (choice.correlation > HardlyCorrelated)

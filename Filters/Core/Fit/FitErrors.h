@@ -20,8 +20,8 @@ struct FitErrorSource
   const double* fitScale = nullptr;        ///< The fitting radius.
   const double* noiseGain = nullptr;       ///< Of the fits: see JetFit.
 
-  /// Of heights, by the rounding of coordinates: residuals may not show it. In the error of k1 -
-  /// k2.
+  /// Of heights, by the rounding of coordinates: residuals may not show it. It counts in the error
+  /// of k1 - k2.
   double rounding = 0.0;
 };
 

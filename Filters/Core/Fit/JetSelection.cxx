@@ -108,9 +108,6 @@ constexpr double VarianceOfAverage = 3.0 / 7.0;
 /// Averages are small beside such neighbourhoods only.
 constexpr int FewestRingsToAverage = 5;
 
-/// Noise, of an edge: single precision has less. Averages would err more in k than they gain.
-constexpr double HardlyAnyNoise = 1e-5;
-
 /// The variance of some averages in squared radii.
 double SquaredSigma(int averages, int numberOfRings)
 {
@@ -316,10 +313,11 @@ double JetSelection::SquaredBias(const Group& group, std::size_t step, int degre
   return least;
 }
 
+/// Averages of hardly any noise err more in k than they gain.
 bool JetSelection::MayAverage(std::size_t step) const
 {
   return RingsToTry[step] >= FewestRingsToAverage &&
-    std::sqrt(this->NoiseAt(step)) >= HardlyAnyNoise * this->Edge_;
+    std::sqrt(this->NoiseAt(step)) >= JetChoice::HardlyAnyNoise * this->Edge_;
 }
 
 void JetSelection::Choose()
@@ -370,7 +368,7 @@ void JetSelection::MayBlend()
   const double leftOver = std::sqrt(this->LeftOver_);
   if (std::isfinite(this->Least_) && this->Degree_ == 0 && this->Order_ > 2 &&
     choice.numberOfRings <= mostRings &&
-    (choice.noise < HardlyAnyNoise * this->Edge_ || leftOver < muchLess * choice.noise))
+    (choice.noise < JetChoice::HardlyAnyNoise * this->Edge_ || leftOver < muchLess * choice.noise))
   {
     const std::vector<BlendedJet> jets = JetsWithoutNoise();
     const double noise = std::min(choice.noise, leftOver);

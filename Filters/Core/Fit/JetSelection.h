@@ -22,6 +22,9 @@ struct JetChoice
   double noise = 0.0; ///< Standard deviation of the heights.
   double edge = 0.0;  ///< Roughly, that of the mesh.
 
+  /// Of an edge: single precision has less.
+  static constexpr double HardlyAnyNoise = 1e-5;
+
   /// See JetTrial.h: where it is not about 0, the noise is not what `noise` says.
   double correlation = 0.0;
 
