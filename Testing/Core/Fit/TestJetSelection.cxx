@@ -237,7 +237,7 @@ TEST(JetBlend, FitsWithNoiseHaveRingsAroundTheBest)
     const std::vector<BlendedJet> jets = JetsWithNoise(best);
     ASSERT_EQ(jets.size(), 3u);
     EXPECT_LT(jets[0].numberOfRings, best);
-    EXPECT_GE(jets[1].numberOfRings, best);
+    EXPECT_GT(jets[1].numberOfRings, std::min(best, 23));
     EXPECT_LE(jets[2].numberOfRings, 28); // as more take long
     EXPECT_GT(jets[2].numberOfRings, jets[1].numberOfRings);
     EXPECT_EQ(jets[0].degree, 4);
