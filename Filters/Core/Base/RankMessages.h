@@ -97,55 +97,6 @@ std::vector<std::vector<T>> ExchangeValues(Ranks& ranks, std::vector<std::vector
   return values;
 }
 
-/**
- * Rows of `width` values that other ranks have asked for: `asked` has the rows of `values` for each
- * rank, `places` where those from each rank belong in the result, each place once.
- */
-template <typename T>
-void ExchangeRows(Ranks& ranks, const T* values, int width,
-  const std::vector<std::vector<Id>>& asked, const std::vector<std::vector<Id>>& places, T* rows)
-{
-  // From the values into the messages, and from these into the result, as rows may be much.
-  const std::size_t size = sizeof(T) * width;
-  std::vector<Bytes> messages(asked.size());
-  for (std::size_t rank = 0; rank < asked.size(); ++rank)
-  {
-    messages[rank].resize(size * asked[rank].size());
-    char* to = messages[rank].data();
-    for (const Id row : asked[rank])
-    {
-      std::memcpy(to, values + static_cast<std::size_t>(width) * row, size);
-      to += size;
-    }
-  }
-  messages = ranks.Exchange(std::move(messages));
-  for (std::size_t rank = 0; rank < messages.size(); ++rank)
-  {
-    const char* from = messages[rank].data();
-    for (const Id place : places[rank])
-    {
-      std::memcpy(rows + static_cast<std::size_t>(width) * place, from, size);
-      from += size;
-    }
-    messages[rank] = Bytes();
-  }
-}
-
-/// The same in memory of its own.
-template <typename T>
-std::vector<T> ExchangeRows(Ranks& ranks, const T* values, int width,
-  const std::vector<std::vector<Id>>& asked, const std::vector<std::vector<Id>>& places)
-{
-  std::size_t numberOfRows = 0;
-  for (const std::vector<Id>& from : places)
-  {
-    numberOfRows += from.size();
-  }
-  std::vector<T> rows(numberOfRows * width);
-  ExchangeRows(ranks, values, width, asked, places, rows.data());
-  return rows;
-}
-
 } // namespace ridges
 
 #endif

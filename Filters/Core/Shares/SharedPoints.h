@@ -3,7 +3,7 @@
 #ifndef ridges_SharedPoints_h
 #define ridges_SharedPoints_h
 
-#include "Base/RankMessages.h"
+#include "Base/RankRows.h"
 #include "Mesh/Triangle.h"
 
 #include <array>
