@@ -81,20 +81,44 @@ void SharedMesh::TakeWhole(MergedPieces& pieces, const RangeLoop& loop)
   }
 }
 
-/// Each triangle of the piece goes to the owners of its corners.
+/// Each triangle of the piece goes to the owners of its corners; so many at a time, as messages are
+/// several times as large as what is made of them.
 void SharedMesh::SendTriangles(Ranks& ranks, const MeshPiece& piece)
 {
+  constexpr std::int64_t atATime = 1 << 17;
   std::int64_t first = 0;
+  std::int64_t most = 0;
   this->NumberOfTriangles_ = 0;
   const auto counts = GatherAllOne<std::int64_t>(ranks, piece.triangles.size());
   for (int rank = 0; rank < ranks.Size(); ++rank)
   {
     first += rank < ranks.Rank() ? counts[rank] : 0;
+    most = std::max(most, counts[rank]);
     this->NumberOfTriangles_ += counts[rank];
   }
+  // Of most surfaces so many, and some beyond.
+  const std::size_t expected = 2 * static_cast<std::size_t>(this->NumberOfOwned()) * 17 / 16;
+  this->Triangles_.reserve(expected);
+  this->TriangleNumbers_.reserve(expected);
+  const std::int64_t count = piece.triangles.size();
+  for (std::int64_t begin = 0; begin < most; begin += atATime)
+  {
+    this->SendSome(ranks, piece, static_cast<Id>(std::min(begin, count)),
+      static_cast<Id>(std::min(begin + atATime, count)), first);
+  }
+  std::vector<Triangle> triangles;
+  triangles.swap(this->Triangles_);
+  this->Around_ = TriangleMesh(
+    this->Points_.Owned().data(), this->NumberOfPoints(), triangles, TriangleMesh::Edges::NotBuilt);
+}
+
+/// The triangles from `begin` to `end`; the first of the piece has the number `first`.
+void SharedMesh::SendSome(
+  Ranks& ranks, const MeshPiece& piece, Id begin, Id end, std::int64_t first)
+{
   const std::vector<std::int64_t>& numbers = this->Points_.NumbersOfPiece();
   std::vector<MeshPatch> patches(ranks.Size());
-  for (Id t = 0; t < piece.triangles.size(); ++t)
+  for (Id t = begin; t < end; ++t)
   {
     const Triangle& triangle = piece.triangles[t];
     MeshPatch::Cell cell{ first + t, {} };
@@ -135,10 +159,6 @@ void SharedMesh::SendTriangles(Ranks& ranks, const MeshPiece& piece)
     this->Take(TakePatch(message));
     message = {};
   }
-  std::vector<Triangle> triangles;
-  triangles.swap(this->Triangles_);
-  this->Around_ = TriangleMesh(
-    this->Points_.Owned().data(), this->NumberOfPoints(), triangles, TriangleMesh::Edges::NotBuilt);
 }
 
 void SharedMesh::Release()
