@@ -7,6 +7,7 @@
 
 #include "vtkPointData.h"
 
+#include <algorithm>
 #include <string>
 
 namespace names = vtkRidgesArrayNames;
@@ -14,14 +15,20 @@ namespace names = vtkRidgesArrayNames;
 void vtkRidgesFormArrays::StoreAll(
   const vtkRidgesFormArrays& others, const std::vector<ridges::Id>& ids)
 {
+  for (std::size_t k = 0; k < this->Arrays.size(); ++k)
+  {
+    const vtkIdType components = this->Arrays[k]->GetNumberOfComponents();
+    const double* from = others.Arrays[k]->GetPointer(0);
+    double* values = this->Arrays[k]->GetPointer(0);
+    for (const ridges::Id id : ids)
+    {
+      std::copy_n(from, components, values + components * id);
+      from += components;
+    }
+  }
   for (std::size_t i = 0; i < ids.size(); ++i)
   {
-    const auto other = static_cast<vtkIdType>(i);
-    for (std::size_t k = 0; k < this->Arrays.size(); ++k)
-    {
-      this->Arrays[k]->SetTuple(ids[i], other, others.Arrays[k]);
-    }
-    this->Status[ids[i]] = others.Status[other];
+    this->Status[ids[i]] = others.Status[i];
   }
 }
 

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRidgesOwnedFits.h"
 
+#include "Core/Base/LargeMemory.h"
 #include "Core/Base/RankGathering.h"
+#include "Core/Mesh/CurveOrder.h"
 #include "Core/Shares/EdgeFaults.h"
 #include "vtkJetFitting.h"
 #include "vtkRidgesArrayNames.h"
@@ -108,7 +110,8 @@ bool vtkRidgesOwnedFits::FitShare(const std::vector<Id>& points, int rings, std:
   return true;
 }
 
-bool vtkRidgesOwnedFits::Fit(const std::vector<Id>& points, vtkPointData* values)
+/// The values at these points, in their order. Null if the user aborted.
+std::unique_ptr<vtkRidgesMongeOutput> vtkRidgesOwnedFits::FitPoints(const std::vector<Id>& points)
 {
   std::unique_ptr<vtkRidgesMongeOutput> fitted;
   std::vector<Id> places; // of those that are fitted again
@@ -120,7 +123,7 @@ bool vtkRidgesOwnedFits::Fit(const std::vector<Id>& points, vtkPointData* values
     std::vector<int> reach;
     if (!this->FitShare(fitted ? again : points, rings, reach))
     {
-      return false;
+      return nullptr;
     }
     const bool isFirst = !fitted;
     if (isFirst)
@@ -151,7 +154,69 @@ bool vtkRidgesOwnedFits::Fit(const std::vector<Id>& points, vtkPointData* values
     isDone = !ridges::IsAnywhere(this->Ranks, !again.empty());
   }
   this->CountPoints(points, fitted->GetStatus());
-  fitted->AddTo(values);
+  return fitted;
+}
+
+bool vtkRidgesOwnedFits::Fit(const std::vector<Id>& points, vtkPointData* values)
+{
+  const std::unique_ptr<vtkRidgesMongeOutput> fitted = this->FitPoints(points);
+  if (fitted)
+  {
+    fitted->AddTo(values);
+  }
+  return fitted != nullptr;
+}
+
+/// All owned points, so that those of each part lie together. As many parts on all ranks.
+std::vector<Id> vtkRidgesOwnedFits::PointsInParts(std::vector<Id>& begins) const
+{
+  // Of smaller parts, what lies around is as much as they are; of larger ones, each takes new
+  // memory from the system.
+  constexpr Id smallestPart = 1 << 14;
+  const Id count = this->Shared.NumberOfOwned();
+  const std::vector<Id> ofAll = ridges::GatherAllOne(this->Ranks, count);
+  const Id most = *std::max_element(ofAll.begin(), ofAll.end());
+  const Id parts = std::max<Id>(most / smallestPart, 1);
+  for (Id i = 0; i <= parts; ++i)
+  {
+    begins.push_back(static_cast<Id>(static_cast<std::int64_t>(count) * i / parts));
+  }
+  if (parts > 1)
+  {
+    return ridges::PointsAlongCurve(this->Shared.Around(), count);
+  }
+  std::vector<Id> points(count);
+  std::iota(points.begin(), points.end(), 0);
+  return points;
+}
+
+bool vtkRidgesOwnedFits::FitAll(vtkPointData* values)
+{
+  std::vector<Id> begins;
+  const std::vector<Id> points = this->PointsInParts(begins);
+  if (begins.size() == 2)
+  {
+    return this->Fit(points, values);
+  }
+  ridges::ReturnFreeMemory();
+  vtkRidgesMongeOutput all(
+    this->Shared.NumberOfOwned(), this->Order, this->Settings[0].standardErrors);
+  const double from = this->From;
+  const double step = (this->To - from) / static_cast<double>(begins.size() - 1);
+  for (std::size_t i = 0; i + 1 < begins.size(); ++i)
+  {
+    this->SetProgress(
+      from + step * static_cast<double>(i), from + step * static_cast<double>(i + 1));
+    std::vector<Id> part(points.begin() + begins[i], points.begin() + begins[i + 1]);
+    std::sort(part.begin(), part.end()); // as they lie in memory
+    const std::unique_ptr<vtkRidgesMongeOutput> fitted = this->FitPoints(part);
+    if (!fitted)
+    {
+      return false;
+    }
+    all.StoreAll(*fitted, part);
+  }
+  all.AddTo(values);
   return true;
 }
 

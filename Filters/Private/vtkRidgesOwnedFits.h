@@ -44,6 +44,9 @@ public:
   /// The values at some owned points, in their order, before averages. False if the user aborted.
   bool Fit(const std::vector<ridges::Id>& points, vtkPointData* values);
 
+  /// The same at all of them, in parts, as the share of the mesh that fits look at takes memory.
+  bool FitAll(vtkPointData* values);
+
   /// The same with averages, of a mesh that is all on this rank.
   bool FitAndAverage(const std::vector<ridges::Id>& points, vtkPointData* values);
 
@@ -63,6 +66,8 @@ public:
   void KeepSurface(ridges::SharedSurface& surface);
 
 private:
+  std::unique_ptr<vtkRidgesMongeOutput> FitPoints(const std::vector<ridges::Id>& points);
+  std::vector<ridges::Id> PointsInParts(std::vector<ridges::Id>& begins) const;
   bool FitShare(const std::vector<ridges::Id>& points, int rings, std::vector<int>& reach);
   int GuessReach() const;
   void LookAt(const ridges::MeshShare& share, const ridges::OrderedRings& rings,

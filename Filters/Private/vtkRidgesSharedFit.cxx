@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRidgesSharedFit.h"
 
+#include "Core/Base/LargeMemory.h"
 #include "Core/Base/RankGathering.h"
 #include "Core/Shares/SharedMesh.h"
 #include "Core/Shares/SharedSurface.h"
@@ -21,7 +22,6 @@
 #include "vtkSmartPointer.h"
 
 #include <memory>
-#include <numeric>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -103,9 +103,7 @@ bool SharedFit::Take(vtkInformationVector* input)
 bool SharedFit::Fit()
 {
   this->Fits = std::make_unique<vtkRidgesOwnedFits>(this->Filter, this->Ranks, this->Shared);
-  std::vector<Id> points(this->Shared.NumberOfOwned());
-  std::iota(points.begin(), points.end(), 0);
-  return this->Fits->Choose() && this->Fits->Fit(points, this->Values);
+  return this->Fits->Choose() && this->Fits->FitAll(this->Values);
 }
 
 void SharedFit::Warn()
@@ -128,6 +126,7 @@ void SharedFit::Store(vtkPolyData* output)
 {
   this->Fits->Average(this->Values);
   this->Shared.Release();
+  ridges::ReturnFreeMemory();
   vtkNew<vtkPointData> rows;
   vtkRidgesRowsOfPiece(this->Ranks, this->Shared.Points(), this->Values, rows);
   this->Fits->Store(this->Piece, rows, output);

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRidgesSharedRows.h"
 
+#include "Core/Base/LargeMemory.h"
+#include "vtkRidgesAllocate.h"
 #include "vtkRidgesArrayNames.h"
 #include "vtkRidgesMakeArray.h"
 
@@ -27,7 +29,7 @@ vtkSmartPointer<vtkDataArray> WithRows(vtkDataArray* array, vtkIdType count, con
     return nullptr;
   }
   auto result = vtkRidgesMakeArrayLike(typed);
-  result->SetNumberOfTuples(count);
+  vtkRidgesAllocate({ result }, count);
   setRows(typed->GetPointer(0), typed->GetNumberOfComponents(),
     Array::SafeDownCast(result)->GetPointer(0));
   return result;
@@ -37,15 +39,31 @@ template <typename Rows>
 void ForArrays(vtkPointData* from, vtkPointData* to, std::size_t numberOfRows, const Rows& setRows)
 {
   const auto count = static_cast<vtkIdType>(numberOfRows);
-  while (from->GetNumberOfArrays() > 0)
+  std::vector<vtkSmartPointer<vtkDataArray>> arrays;
+  std::vector<std::size_t> order;
+  for (int i = 0; i < from->GetNumberOfArrays(); ++i)
   {
-    auto array = WithRows<vtkDoubleArray>(from->GetArray(0), count, setRows);
-    if (!array)
+    arrays.emplace_back(from->GetArray(i));
+    order.push_back(order.size());
+  }
+  from->Initialize();
+  // Each array is given up as soon as it has another one in its place, as both would be much: the
+  // largest first, whose memory then is enough for the next.
+  std::stable_sort(order.begin(), order.end(),
+    [&arrays](std::size_t i, std::size_t k)
+    { return arrays[i]->GetNumberOfComponents() > arrays[k]->GetNumberOfComponents(); });
+  for (const std::size_t i : order)
+  {
+    auto array = WithRows<vtkDoubleArray>(arrays[i], count, setRows);
+    arrays[i] = array ? array : WithRows<vtkIntArray>(arrays[i], count, setRows);
+    if (array && array->GetNumberOfComponents() > 1)
     {
-      array = WithRows<vtkIntArray>(from->GetArray(0), count, setRows);
+      ridges::ReturnFreeMemory(); // the smaller ones take each other's
     }
+  }
+  for (const vtkSmartPointer<vtkDataArray>& array : arrays)
+  {
     to->AddArray(array);
-    from->RemoveArray(0); // as both would be much
   }
   to->SetActiveNormals(vtkRidgesArrayNames::Normals);
 }

@@ -117,6 +117,16 @@ TEST(PJetFitting, GivesTheBytesOfOneRankInAnyNeighborhood)
   }
 }
 
+// Ranks that own many points fit them in parts, and send triangles and rows in several messages.
+TEST(PJetFitting, GivesTheBytesOfOneRankInParts)
+{
+  const Properties set = [](vtkJetFitting* filter) { filter->SetNeighborhoodToPointCount(); };
+  const NamedMesh named{ "large", EllipsoidMesh(128, 1.0, 0.8, 0.6) };
+  const Expected expected = OnOneRank(named.mesh, set);
+  ExpectTheSameJets(expected, named, Partition::Random, set);
+  ExpectTheSameJets(expected, named, Partition::AllOnFirst, set);
+}
+
 // What is wrong with the mesh is counted once, wherever its pieces are: the warnings are compared.
 TEST(PJetFitting, CountsFaultsOnce)
 {

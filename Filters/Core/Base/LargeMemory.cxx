@@ -10,6 +10,9 @@
 #ifdef __linux__
 #include <sys/mman.h>
 #endif
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
 
 namespace ridges
 {
@@ -57,6 +60,13 @@ void FreeLarge(void* memory)
     std::memcpy(&whole, static_cast<char*>(memory) - sizeof(whole), sizeof(whole));
     std::free(whole);
   }
+}
+
+void ReturnFreeMemory()
+{
+#ifdef __GLIBC__
+  malloc_trim(0);
+#endif
 }
 
 } // namespace ridges

@@ -21,6 +21,13 @@ void* AllocateLarge(std::size_t bytes);
 /// Gives back what AllocateLarge gave.
 void FreeLarge(void* memory);
 
+/**
+ * Gives memory that was freed back to the system, where the C library can. Otherwise much of it
+ * stays with the process, in pieces too small for what comes next: a call between steps that take
+ * much memory each. Takes milliseconds, and a page that is needed again some hundred nanoseconds.
+ */
+void ReturnFreeMemory();
+
 } // namespace ridges
 
 #endif

@@ -30,7 +30,11 @@ std::uint64_t Spread(std::uint64_t bits)
 
 std::vector<Id> PointsAlongCurve(const TriangleMesh& mesh)
 {
-  const Id count = mesh.NumberOfPoints();
+  return PointsAlongCurve(mesh, mesh.NumberOfPoints());
+}
+
+std::vector<Id> PointsAlongCurve(const TriangleMesh& mesh, Id count)
+{
   Eigen::Array3d least = Eigen::Array3d::Constant(std::numeric_limits<double>::max());
   Eigen::Array3d greatest = -least;
   for (Id p = 0; p < count; ++p)

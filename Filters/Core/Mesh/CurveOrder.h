@@ -17,6 +17,9 @@ namespace ridges
  */
 std::vector<Id> PointsAlongCurve(const TriangleMesh& mesh);
 
+/// The same of the first points of a mesh alone.
+std::vector<Id> PointsAlongCurve(const TriangleMesh& mesh, Id count);
+
 } // namespace ridges
 
 #endif
