@@ -6,6 +6,7 @@
 
 #include "Fixtures/TestFields.h"
 
+#include "Fit/Batch/JetBatch.h"
 #include "Fit/JetFit.h"
 #include "Fit/JetSelection.h"
 #include "Mesh/ShapeSample.h"
@@ -244,6 +245,16 @@ TEST(JetBlend, FitsWithNoiseHaveRingsAroundTheBest)
     EXPECT_EQ(jets[1].degree, 4);
     EXPECT_EQ(jets[2].degree, 6);
   }
+}
+
+//------------------------------------------------------------------------------
+// Larger neighborhoods are fitted one by one, in ten times the time; irregular meshes have more
+// points in as many rings.
+TEST(JetSelection, ItsNeighborhoodsAreFittedInBatches)
+{
+  const int most = std::max(JetSelection::MostRings, JetsWithNoise(1000).back().numberOfRings);
+  const int points = 1 + 3 * most * (most + 1);
+  EXPECT_LE(1.25 * points, JetBatch::MaximumRows);
 }
 
 //------------------------------------------------------------------------------

@@ -19,7 +19,7 @@ namespace ridges
 struct JetBatch
 {
   static constexpr int MaximumLanes = 8;
-  static constexpr int MaximumRows = 1920;
+  static constexpr int MaximumRows = 3072; ///< Of 28 rings, and some more.
   static constexpr int NumberOfErrors = 8;
   static constexpr double UnknownError = -1.0;
 
