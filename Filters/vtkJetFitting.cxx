@@ -201,7 +201,8 @@ int vtkJetFitting::RequestData(
     jets.fits = vtkRidgesFitSettings(this, choice);
     jets.noise = choice.noiseInBlend;
   }
-  if (!vtkRidgesFitJets(this, jets, isAutomatic ? 0.3 : 0.2, 1.0, arrays))
+  const double fitted = choice.numberOfAverages > 0 ? 0.95 : 1.0;
+  if (!vtkRidgesFitJets(this, jets, isAutomatic ? 0.3 : 0.2, fitted, arrays))
   {
     return 1;
   }
@@ -215,9 +216,11 @@ int vtkJetFitting::RequestData(
   output->ShallowCopy(mesh.GetPolyData());
   arrays.AddTo(output->GetPointData());
   vtkRidgesUmbilicMarks::RemoveFrom(output);
-  if (choice.numberOfAverages > 0)
+  if (choice.numberOfAverages > 0 &&
+    !vtkRidgesAverageJets(this, mesh, output, choice, fitted, 1.0))
   {
-    vtkRidgesAverageJets(mesh, output, choice);
+    output->Initialize();
+    return 1;
   }
   vtkRidgesStoreJetChoice(output, isAutomatic && count > 0 ? &choice : nullptr);
   mesh.HandOnWith(output);

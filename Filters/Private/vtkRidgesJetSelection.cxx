@@ -11,6 +11,7 @@
 #include "vtkRidgesMesh.h"
 #include "vtkRidgesPerThread.h"
 
+#include "vtkCommand.h"
 #include "vtkDoubleArray.h"
 #include "vtkIntArray.h"
 #include "vtkMongeSmoothing.h"
@@ -262,8 +263,34 @@ bool vtkRidgesSelectJets(vtkJetFitting* filter, ridges::Ranks& ranks, ridges::Sh
   return Select(filter, mesh, from, to, choice);
 }
 
-void vtkRidgesAverageJets(
-  const vtkRidgesMesh& mesh, vtkPolyData* fitted, const ridges::JetChoice& choice)
+namespace
+{
+
+/// Tells a filter how far another one is that works for it, and that one to abort.
+struct Forwarding
+{
+  vtkJetFitting* filter; ///< Or null.
+  double from;
+  double to;
+
+  void Hear(vtkObject* caller, unsigned long, void*)
+  {
+    auto* stage = vtkAlgorithm::SafeDownCast(caller);
+    if (this->filter)
+    {
+      this->filter->UpdateProgress(this->from + (this->to - this->from) * stage->GetProgress());
+      if (vtkRidgesCompatibility::IsAborted(this->filter))
+      {
+        stage->SetAbortExecute(1);
+      }
+    }
+  }
+};
+
+} // namespace
+
+bool vtkRidgesAverageJets(vtkJetFitting* filter, const vtkRidgesMesh& mesh, vtkPolyData* fitted,
+  const ridges::JetChoice& choice, double from, double to)
 {
   vtkNew<vtkPolyData> before;
   before->ShallowCopy(fitted);
@@ -272,7 +299,13 @@ void vtkRidgesAverageJets(
   smoothing->SetMethodToAllOrders();
   smoothing->SetNumberOfSteps(choice.numberOfAverages);
   smoothing->SetInputData(before);
+  Forwarding forwarding{ filter, from, to };
+  smoothing->AddObserver(vtkCommand::ProgressEvent, &forwarding, &Forwarding::Hear);
   smoothing->Update();
+  if (filter && vtkRidgesCompatibility::IsAborted(filter))
+  {
+    return false;
+  }
   fitted->ShallowCopy(smoothing->GetOutput());
 
   // The smoothing does not know that its input is a fit, of which these are true still, or too
@@ -284,6 +317,7 @@ void vtkRidgesAverageJets(
   {
     arrays->AddArray(fit->GetAbstractArray(name));
   }
+  return true;
 }
 
 void vtkRidgesStoreJetChoice(vtkPolyData* mesh, const ridges::JetChoice* choice)

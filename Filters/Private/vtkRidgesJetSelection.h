@@ -19,9 +19,10 @@ bool vtkRidgesSelectJets(vtkJetFitting* filter, const ridges::TriangleMesh& mesh
 bool vtkRidgesSelectJets(vtkJetFitting* filter, ridges::Ranks& ranks, ridges::SharedMesh& shared,
   double from, double to, ridges::JetChoice& choice);
 
-/// Replaces the fitted arrays by their averages. `mesh` is that of `fitted`.
-void vtkRidgesAverageJets(
-  const vtkRidgesMesh& mesh, vtkPolyData* fitted, const ridges::JetChoice& choice);
+/// Replaces the fitted arrays by their averages. `mesh` is that of `fitted`. False if the user
+/// aborted the filter, which may be null: then nobody hears of progress.
+bool vtkRidgesAverageJets(vtkJetFitting* filter, const vtkRidgesMesh& mesh, vtkPolyData* fitted,
+  const ridges::JetChoice& choice, double from, double to);
 
 /// Into field data; what an earlier fit left is removed. Null: there was no choice.
 void vtkRidgesStoreJetChoice(vtkPolyData* mesh, const ridges::JetChoice* choice);

@@ -284,7 +284,8 @@ void vtkRidgesOwnedFits::AverageOn(
   data->SetPolys(polys);
   vtkRidgesMesh mesh;
   mesh.Adopt(data, share.TakeMesh());
-  vtkRidgesAverageJets(mesh, data, this->Choice);
+  // Ranks have to go on together.
+  vtkRidgesAverageJets(nullptr, mesh, data, this->Choice, 0.0, 1.0);
 
   vtkPointData* averaged = data->GetPointData();
   for (int i = 0; i < averaged->GetNumberOfArrays(); ++i)
