@@ -84,7 +84,8 @@ bool vtkRidgesEvenMesh::Make(vtkAlgorithm* filter, const ridges::JetFunction& fu
     const auto run = [&body](vtkIdType begin, vtkIdType end)
     { body(static_cast<ridges::Id>(begin), static_cast<ridges::Id>(end)); };
     const double from = progressAt(loops);
-    return vtkRidgesForBatches(filter, count, from, progressAt(++loops), run);
+    constexpr vtkIdType batch = 1 << 13; // a point of an image takes 50 us
+    return vtkRidgesForBatches(filter, count, from, progressAt(++loops), run, batch);
   };
   // Between two loops there are few passes, or many: progress stands still.
   const ridges::Monitor monitor = [filter, &loops, &progressAt](double)
