@@ -216,8 +216,7 @@ int vtkJetFitting::RequestData(
   output->ShallowCopy(mesh.GetPolyData());
   arrays.AddTo(output->GetPointData());
   vtkRidgesUmbilicMarks::RemoveFrom(output);
-  if (choice.numberOfAverages > 0 &&
-    !vtkRidgesAverageJets(this, mesh, output, choice, fitted, 1.0))
+  if (choice.numberOfAverages > 0 && !vtkRidgesAverageJets(this, mesh, output, choice, fitted, 1.0))
   {
     output->Initialize();
     return 1;
