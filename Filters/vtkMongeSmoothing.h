@@ -32,14 +32,16 @@
  * removed. All other arrays pass.
  *
  * Method: the normals and the second fundamental forms, as tensors in space, are averaged over
- * one-rings, weighted by area, until the standard deviation of these averages and of the fit
- * together is Sigma. No sign of a direction has to be chosen, and umbilics are nothing special.
- * Points in large triangles take a smaller part of each step, so that the scale is the same
- * everywhere; FitScale reports what was reached. One average is made at least. At the border
+ * one-rings, weighted by area so that averages are around the point itself, until the standard
+ * deviation of these averages and of the fit together is Sigma. No sign of a direction has to be
+ * chosen, and umbilics are nothing special. Points in large triangles take a smaller part of each
+ * step, so that the scale is the same everywhere; FitScale reports what was reached. One average is
+ * made at least. Where edges are shorter than about a sixth of Sigma, points are joined to larger
+ * cells, most of the averages are made of these, and the values are interpolated. At the border
  * averages are one-sided. Invalid points take no part and stay invalid.
  * Guarantees: the same bytes for any number of threads, any SMP back end and any numbering of
- * points and cells. The time is proportional to the number of points and to the scale over the
- * length of edges.
+ * points and cells. The time is proportional to the number of points, however many there are
+ * within Sigma.
  *
  * @sa vtkJetFitting vtkRidgeExtraction vtkSalientRidges
  */
@@ -103,8 +105,8 @@ public:
   ///@{
   /**
    * That many averages over one-rings, in all of which each point takes part in full, in place of
-   * a scale: smoothing in units of edges, which follows the density of the mesh. 0 to 5000. Default
-   * 0: as many as Sigma or RelativeSigma needs.
+   * a scale, weighted by area alone: smoothing in units of edges, which follows the density of the
+   * mesh. 0 to 5000. Default 0: as many as Sigma or RelativeSigma needs.
    */
   vtkSetClampMacro(NumberOfSteps, int, 0, 5000);
   vtkGetMacro(NumberOfSteps, int);

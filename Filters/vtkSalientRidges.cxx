@@ -7,13 +7,12 @@
 #include "Core/Mesh/PositionSample.h"
 #include "Core/Salience/FoldEvening.h"
 #include "Core/Salience/NoiseFloor.h"
-#include "Core/Salience/SmoothingPlan.h"
 #include "vtkJetFitting.h"
-#include "vtkMongeSmoothing.h"
 #include "vtkRidgesArrayNames.h"
 #include "vtkRidgesBatches.h"
 #include "vtkRidgesCompatibility.h"
 #include "vtkRidgesFieldData.h"
+#include "vtkRidgesFieldSmoothing.h"
 #include "vtkRidgesFolds.h"
 #include "vtkRidgesMongeInput.h"
 #include "vtkRidgesRequest.h"
@@ -32,6 +31,7 @@
 #include "vtkPointData.h"
 #include "vtkPoints.h"
 #include "vtkPolyData.h"
+#include "vtkSmartPointer.h"
 
 #include <Eigen/Geometry>
 
@@ -83,15 +83,14 @@ public:
   explicit vtkInternals(vtkSalientRidges* filter)
     : Filter(filter)
   {
-    for (FieldStages* field : { &this->cleanField, &this->noisyField })
+    for (vtkJetFitting* fit : this->GetFits())
     {
-      field->jets->SetDegree(2);
-      field->jets->SetMongeOrder(2);
-      field->jets->SetNeighborhoodToPointCount();
+      fit->SetDegree(2);
+      fit->SetMongeOrder(2);
+      fit->SetNeighborhoodToPointCount();
     }
     for (vtkPolyDataAlgorithm* stage :
-      std::array<vtkPolyDataAlgorithm*, 5>{ this->cleanField.jets, this->cleanField.smoothing,
-        this->noisyField.jets, this->noisyField.smoothing, this->umbilics })
+      std::array<vtkPolyDataAlgorithm*, 3>{ this->jets, this->noisyJets, this->umbilics })
     {
       stage->AddObserver(vtkCommand::ProgressEvent, this, &vtkInternals::ForwardProgress);
       stage->AddObserver(vtkCommand::WarningEvent, this, &vtkInternals::ForwardMessage);
@@ -101,24 +100,13 @@ public:
     }
   }
 
-  /// What makes a smooth field.
-  struct FieldStages
-  {
-    vtkNew<vtkJetFitting> jets;
-    vtkNew<vtkMongeSmoothing> smoothing;
-  };
-
   /// The output of a stage for this input, its own, which has the adjacency of the mesh with it;
   /// null after an error or where the user aborted.
   vtkPolyData* Run(vtkPolyDataAlgorithm* stage, vtkPolyData* input, double from, double to);
 
-  /// The same for the stages of a field.
-  vtkPolyData* Smooth(FieldStages& stages, vtkPolyData* input, double from, double to)
-  {
-    stages.smoothing->SetRelativeSigma(this->Filter->RelativeScale);
-    vtkPolyData* fitted = this->Run(stages.jets, input, from, 0.5 * (from + to));
-    return fitted ? this->Run(stages.smoothing, fitted, 0.5 * (from + to), to) : nullptr;
-  }
+  /// Makes `smoothed` the mesh with the smooth field. False after an error or where the user
+  /// aborted.
+  bool Smooth(vtkPolyData* input, vtkPolyData* smoothed);
 
   /// Chooses the neighbourhoods of fits by how coarse the mesh is against the scale.
   void ChooseNeighborhoods(vtkPolyData* input);
@@ -130,8 +118,8 @@ public:
   bool FindLines(vtkPolyData* marked, double floor, vtkPolyData* output);
 
   std::string errorText;
-  FieldStages cleanField;
-  FieldStages noisyField; ///< With noise added.
+  vtkNew<vtkJetFitting> jets;
+  vtkNew<vtkJetFitting> noisyJets; ///< Of points with noise added.
   vtkNew<vtkUmbilicDetection> umbilics;
 
 private:
@@ -140,9 +128,12 @@ private:
   bool FindColor(ridges::Color color, const vtkRidgesSearch& search,
     const vtkRidgesMongeInput& monge, const ridges::FoldRule& rule, double from,
     std::vector<ridges::RidgeTrace>& found, std::vector<ridges::RidgeFolds>& folds);
+  std::array<vtkJetFitting*, 2> GetFits() { return { this->jets, this->noisyJets }; }
+  vtkSmartPointer<vtkPolyData> AddNoise(vtkPolyData* smoothed, const ridges::MongeField& field);
   ridges::SalientRule MakeRule(double sigma, double floor, double diameter) const;
 
   vtkSalientRidges* Filter;
+  vtkRidgesFieldSmoothing Smoothing;
   double From = 0.0; ///< Progress of the stage that runs.
   double To = 1.0;
   bool Silent = false; ///< While stages repeat with noise what they have done.
@@ -202,9 +193,9 @@ void vtkSalientRidges::vtkInternals::ChooseNeighborhoods(vtkPolyData* input)
   const double scale =
     this->Filter->RelativeScale * 2.0 * ridges::SmallestEnclosingSphere(triangles).radius;
   const bool isCoarse = triangles.MeanEdgeLength() > LongestEdgeForTwoRings * scale;
-  for (FieldStages* field : { &this->cleanField, &this->noisyField })
+  for (vtkJetFitting* fit : this->GetFits())
   {
-    field->jets->SetMinimumNumberOfPoints(isCoarse ? PointsOfOneRing : PointsOfTwoRings);
+    fit->SetMinimumNumberOfPoints(isCoarse ? PointsOfOneRing : PointsOfTwoRings);
   }
   if (mesh.GetPolyData() == input)
   {
@@ -212,32 +203,29 @@ void vtkSalientRidges::vtkInternals::ChooseNeighborhoods(vtkPolyData* input)
   }
 }
 
-bool vtkSalientRidges::vtkInternals::FindNoiseFloor(vtkPolyData* smoothed, double& floor)
+bool vtkSalientRidges::vtkInternals::Smooth(vtkPolyData* input, vtkPolyData* smoothed)
 {
-  vtkRidgesMongeInput clean;
-  if (!clean.FetchSecondOrder(this->Filter, smoothed))
-  {
-    return false;
-  }
-  const ridges::TriangleMesh& mesh = clean.mesh.GetTriangles();
-  const vtkIdType count = smoothed->GetNumberOfPoints();
-  ridges::OrderedRings rings(mesh);
-  const auto build = [&rings](vtkIdType begin, vtkIdType end)
-  { rings.Build(static_cast<Id>(begin), static_cast<Id>(end)); };
-  if (!vtkRidgesForBatches(this->Filter, count, 0.4, 0.42, build))
-  {
-    return false;
-  }
+  vtkPolyData* fitted = this->Run(this->jets, input, 0.0, 0.2);
+  vtkRidgesFieldSmoothing::Rule rule;
+  rule.relativeSigma = this->Filter->RelativeScale;
+  return fitted && this->Smoothing.Run(this->Filter, fitted, rule, smoothed, 0.2, 0.4) &&
+    !vtkRidgesCompatibility::IsAborted(this->Filter);
+}
+
+/// The mesh with as much noise added as it has; null where the user aborted.
+vtkSmartPointer<vtkPolyData> vtkSalientRidges::vtkInternals::AddNoise(
+  vtkPolyData* smoothed, const ridges::MongeField& field)
+{
+  const ridges::TriangleMesh& mesh = this->Smoothing.GetMesh();
   const std::vector<Id> sample = ridges::PositionSample(mesh, 2000.0);
   std::vector<double> heights;
-  ridges::NoiseMeter(mesh, rings)
+  ridges::NoiseMeter(mesh, this->Smoothing.GetRings())
     .Measure({ sample.data(), sample.data() + sample.size() }, heights);
   const double deviation = ridges::NoiseMeter::Deviation(heights);
 
-  const ridges::MongeField& field = clean.arrays.GetField();
   vtkNew<vtkPoints> points;
   points->SetDataTypeToDouble();
-  points->SetNumberOfPoints(count);
+  points->SetNumberOfPoints(mesh.NumberOfPoints());
   const auto displace = [&mesh, &field, &points, deviation](vtkIdType begin, vtkIdType end)
   {
     for (auto p = static_cast<Id>(begin); p < end; ++p)
@@ -248,22 +236,42 @@ bool vtkSalientRidges::vtkInternals::FindNoiseFloor(vtkPolyData* smoothed, doubl
       points->SetPoint(p, moved.data());
     }
   };
-  if (!vtkRidgesForBatches(this->Filter, count, 0.42, 0.44, displace))
+  if (!vtkRidgesForBatches(this->Filter, mesh.NumberOfPoints(), 0.42, 0.44, displace))
   {
-    return false;
+    return nullptr;
   }
-  vtkNew<vtkPolyData> noisy;
+  auto noisy = vtkSmartPointer<vtkPolyData>::New();
   noisy->SetPoints(points);
   noisy->SetPolys(smoothed->GetPolys());
-  this->Silent = true;
-  vtkPolyData* again = this->Smooth(this->noisyField, noisy, 0.44, 0.6);
-  this->Silent = false;
-  vtkRidgesMongeArrays arrays;
-  if (!again || !arrays.FetchSecondOrder(this->Filter, again).empty())
+  return noisy;
+}
+
+bool vtkSalientRidges::vtkInternals::FindNoiseFloor(vtkPolyData* smoothed, double& floor)
+{
+  vtkRidgesMongeArrays clean;
+  if (!clean.FetchSecondOrder(this->Filter, smoothed).empty())
   {
     return false;
   }
-  floor = ridges::CurvatureDeviation(mesh, field, arrays.GetField());
+  const vtkSmartPointer<vtkPolyData> noisy = this->AddNoise(smoothed, clean.GetField());
+  this->Silent = true;
+  vtkPolyData* fitted = noisy ? this->Run(this->noisyJets, noisy, 0.44, 0.54) : nullptr;
+  this->Silent = false;
+  vtkRidgesMongeArrays arrays;
+  if (!fitted || !arrays.FetchSecondOrder(this->Filter, fitted).empty())
+  {
+    return false;
+  }
+  const ridges::TriangleMesh& mesh = this->Smoothing.GetMesh();
+  const ridges::MongeField& field = clean.GetField();
+  std::vector<double> differences(mesh.NumberOfPoints());
+  const auto compare = [&field, &differences](Id p, const ridges::MongeForm& form)
+  { differences[p] = ridges::SquaredDifference(field, p, form); };
+  if (!this->Smoothing.SmoothAgain(this->Filter, arrays, compare, 0.54, 0.6))
+  {
+    return false;
+  }
+  floor = ridges::CurvatureDeviation(mesh, differences);
   return true;
 }
 
@@ -384,12 +392,12 @@ int vtkSalientRidges::RequestData(
   vtkNew<vtkPolyData> copy; // a pipeline of its own must not leave its marks on the input
   copy->ShallowCopy(input);
   stages.ChooseNeighborhoods(copy);
-  vtkPolyData* smoothed = stages.Smooth(stages.cleanField, copy, 0.0, 0.4);
+  vtkNew<vtkPolyData> smoothed;
   double floor = 0.0;
-  const bool hasFloor = !smoothed || this->NoiseFactor == 0.0 ||
-    smoothed->GetNumberOfPoints() == 0 || stages.FindNoiseFloor(smoothed, floor);
-  vtkPolyData* marked =
-    smoothed && hasFloor ? stages.Run(stages.umbilics, smoothed, 0.6, 0.7) : nullptr;
+  const bool isSmooth = stages.Smooth(copy, smoothed) &&
+    (this->NoiseFactor == 0.0 || smoothed->GetNumberOfPoints() == 0 ||
+      stages.FindNoiseFloor(smoothed, floor));
+  vtkPolyData* marked = isSmooth ? stages.Run(stages.umbilics, smoothed, 0.6, 0.7) : nullptr;
   if (!stages.errorText.empty())
   {
     vtkErrorMacro(<< stages.errorText);

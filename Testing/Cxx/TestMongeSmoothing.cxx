@@ -195,29 +195,65 @@ TEST(MongeSmoothing, RemovesWhatDoesNotBelongToTheSmoothedField)
 
 TEST(MongeSmoothing, SameBytesForAnyThreadsAndNumbering)
 {
-  const Mesh mesh = AddNormalNoise(Icosphere(12), 1e-3, 2);
-  vtkSMPTools::Initialize(1);
-  const auto one = Smooth(Fit(ToPolyData(mesh)), 0.2);
-  vtkSMPTools::Initialize(3);
-  const auto three = Smooth(Fit(ToPolyData(mesh)), 0.2);
-  vtkSMPTools::Initialize();
-  EXPECT_EQ(FirstDifference(one, three), "");
-
-  std::vector<std::int32_t> newToOld;
-  const auto permuted = Smooth(Fit(ToPolyData(Permute(mesh, 4, &newToOld))), 0.2);
-  for (const char* name :
-    { names::MaximumCurvature, names::ThirdOrder, names::FourthOrder, names::P2, names::FitScale })
+  // Averages of the points themselves, and of cells that points are joined to.
+  const Mesh mesh = AddNormalNoise(Icosphere(24), 1e-3, 2);
+  for (const double sigma : { 0.2, 0.6 })
   {
-    vtkDataArray* expected = one->GetPointData()->GetArray(name);
-    for (std::size_t p = 0; p < newToOld.size(); ++p)
+    vtkSMPTools::Initialize(1);
+    const auto one = Smooth(Fit(ToPolyData(mesh)), sigma);
+    vtkSMPTools::Initialize(3);
+    const auto three = Smooth(Fit(ToPolyData(mesh)), sigma);
+    vtkSMPTools::Initialize();
+    EXPECT_EQ(FirstDifference(one, three), "");
+
+    std::vector<std::int32_t> newToOld;
+    const auto permuted = Smooth(Fit(ToPolyData(Permute(mesh, 4, &newToOld))), sigma);
+    for (const char* name : { names::MaximumCurvature, names::ThirdOrder, names::FourthOrder,
+           names::P2, names::FitScale })
     {
-      for (int i = 0; i < expected->GetNumberOfComponents(); ++i)
+      vtkDataArray* expected = one->GetPointData()->GetArray(name);
+      for (std::size_t p = 0; p < newToOld.size(); ++p)
       {
-        ASSERT_EQ(Value(permuted->GetPointData(), name, static_cast<vtkIdType>(p), i),
-          expected->GetComponent(newToOld[p], i))
-          << name;
+        for (int i = 0; i < expected->GetNumberOfComponents(); ++i)
+        {
+          ASSERT_EQ(Value(permuted->GetPointData(), name, static_cast<vtkIdType>(p), i),
+            expected->GetComponent(newToOld[p], i))
+            << name;
+        }
       }
     }
+  }
+}
+
+// An ellipsoid so fine that points are joined: the field is that of a coarser mesh.
+TEST(MongeSmoothing, FineMeshesGiveTheFieldOfCoarseOnes)
+{
+  const auto rmsOf = [](int frequency)
+  {
+    const auto smoothed = Smooth(Fit(EllipsoidData(frequency)), 0.15);
+    double squares = 0.0;
+    for (vtkIdType p = 0; p < smoothed->GetNumberOfPoints(); ++p)
+    {
+      squares += std::pow(Value(smoothed->GetPointData(), names::MaximumCurvature, p), 2);
+    }
+    return std::sqrt(squares / static_cast<double>(smoothed->GetNumberOfPoints()));
+  };
+  const double coarse = rmsOf(20);
+  EXPECT_NEAR(rmsOf(80), coarse, 0.02 * coarse);
+}
+
+// Invalid values stay out of the cells that points are joined to.
+TEST(MongeSmoothing, LeavesOutInvalidPointsOfFineMeshes)
+{
+  const auto fitted = Fit(ToPolyData(Icosphere(24)));
+  vtkDataArray* curvature = fitted->GetPointData()->GetArray(names::MaximumCurvature);
+  curvature->SetComponent(17, 0, std::numeric_limits<double>::quiet_NaN());
+  const auto smoothed = Smooth(fitted, 0.6);
+  ExpectAllFinite(smoothed);
+  for (vtkIdType p = 0; p < smoothed->GetNumberOfPoints(); ++p)
+  {
+    const auto status = static_cast<int>(Value(smoothed->GetPointData(), names::FitStatus, p));
+    EXPECT_EQ((status & vtkJetFitting::FIT_INVALID) != 0, p == 17);
   }
 }
 

@@ -301,6 +301,25 @@ TEST(SalientRidges, NoiseAddsNoLines)
   EXPECT_LT(floor, 2.0);
 }
 
+// The field with noise is smoothed with the weights of the other one, also where points are joined
+// to cells, which depends on positions: what it differs by is noise alone.
+TEST(SalientRidges, NoiseFloorOfFineMeshesIsThatOfNoise)
+{
+  const auto floorOf = [](double noise)
+  {
+    const Mesh mesh = AddNormalNoise(Icosphere(40), noise, 1);
+    vtkNew<vtkSalientRidges> salient;
+    salient->SetInputData(ToPolyData(mesh));
+    salient->SetRelativeScale(0.15);
+    salient->Update();
+    return Value(salient->GetOutput()->GetFieldData(), names::NoiseFloor, 0);
+  };
+  EXPECT_LT(floorOf(0.0), 1e-4);
+  const double floor = floorOf(2e-3);
+  EXPECT_GT(floor, 1e-4);
+  EXPECT_LT(floor, 0.02);
+}
+
 TEST(SalientRidges, SmoothSurfacesHaveNone)
 {
   for (const double noise : { 0.0, 0.1 })

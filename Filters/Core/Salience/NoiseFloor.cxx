@@ -135,20 +135,23 @@ double MedianCurvatureError(const TriangleMesh& mesh, const FitErrorSource& sour
   return std::isfinite(*middle) ? *middle / std::sqrt(2.0) : 0.0; // k1 and k2 have half of it each
 }
 
-double CurvatureDeviation(
-  const TriangleMesh& mesh, const MongeField& field, const MongeField& noisy)
+double SquaredDifference(const MongeField& field, Id p, const MongeForm& other)
+{
+  const Eigen::Matrix3d tensor = field.k1[p] * field.D1(p) * field.D1(p).transpose() +
+    field.k2[p] * field.D2(p) * field.D2(p).transpose();
+  return (tensor - other.k1 * other.d1 * other.d1.transpose() -
+    other.k2 * other.d2 * other.d2.transpose())
+    .squaredNorm();
+}
+
+double CurvatureDeviation(const TriangleMesh& mesh, const std::vector<double>& differences)
 {
   std::vector<double> squares;
   for (Id p = 0; p < mesh.NumberOfPoints(); ++p)
   {
     if (mesh.TrianglesAround(p).size() > 0)
     {
-      const auto tensor = [p](const MongeField& f)
-      {
-        return Eigen::Matrix3d(
-          f.k1[p] * f.D1(p) * f.D1(p).transpose() + f.k2[p] * f.D2(p) * f.D2(p).transpose());
-      };
-      squares.push_back((tensor(field) - tensor(noisy)).squaredNorm());
+      squares.push_back(differences[p]);
     }
   }
   if (squares.empty())

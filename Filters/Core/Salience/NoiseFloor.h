@@ -6,6 +6,7 @@
 #include "Fit/FitErrors.h"
 #include "Mesh/OrderedRings.h"
 #include "Monge/AcuteRule.h"
+#include "Monge/MongeForm.h"
 
 #include <vector>
 
@@ -41,12 +42,15 @@ private:
 /// A number of normal distribution, of deviation 1, that depends on the point's coordinates only.
 double NormalNoise(const Eigen::Vector3d& point);
 
+/// By how much the curvature tensors of two fields differ at a point.
+double SquaredDifference(const MongeField& field, Id p, const MongeForm& other);
+
 /**
- * The standard deviation of a curvature, from two fields of which one has noise that the other does
- * not have. By a median, so that places where noise changes the shape do not matter.
+ * The standard deviation of a curvature, from these differences at all points, where one field has
+ * noise that the other does not have. By a median, so that places where noise changes the shape do
+ * not matter.
  */
-double CurvatureDeviation(
-  const TriangleMesh& mesh, const MongeField& field, const MongeField& noisy);
+double CurvatureDeviation(const TriangleMesh& mesh, const std::vector<double>& differences);
 
 /// The standard error of a curvature at the median point with triangles, as far as the fits let it
 /// be known; 0 for fields without errors, as exact ones.

@@ -92,6 +92,25 @@ double OneRings::AreaOfFan(Id p) const
   return twice / 6.0;
 }
 
+Eigen::Vector3d OneRings::AreaNormal(Id p) const
+{
+  Eigen::Vector3d normal = Eigen::Vector3d::Zero();
+  if (!this->IsFan(p))
+  {
+    return normal;
+  }
+  const Span<Id> ring = this->Rings_.Around(p);
+  const Eigen::Vector3d center = this->Mesh_.Point(p);
+  Eigen::Vector3d before = this->Mesh_.Point(ring[0]) - center;
+  for (Id i = 1; i < ring.size() + (this->IsClosed(p) ? 1 : 0); ++i)
+  {
+    const Eigen::Vector3d next = this->Mesh_.Point(ring[i % ring.size()]) - center;
+    normal += before.cross(next);
+    before = next;
+  }
+  return normal;
+}
+
 double OneRings::AreaOfTriangles(Id p) const
 {
   std::vector<double> areas;

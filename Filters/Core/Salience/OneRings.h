@@ -40,6 +40,9 @@ public:
   /// A third of the area of the triangles around p.
   double Area(Id p) const { return this->Areas_[p]; }
 
+  /// Of the triangles around p, as long as twice their area; zero where they are no fan.
+  Eigen::Vector3d AreaNormal(Id p) const;
+
   /// The variance, along either axis of the surface, of the average over p and its neighbours that
   /// weights each by its area. Needs the areas of all points around p.
   double Variance(Id p) const;

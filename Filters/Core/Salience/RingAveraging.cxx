@@ -2,68 +2,32 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Salience/RingAveraging.h"
 
-#include "Mesh/CurveOrder.h"
+#include "Salience/GraphInterpolation.h"
 
-#include <numeric>
+#include <algorithm>
 #include <utility>
 
 namespace ridges
 {
 
 template <int Components>
-RingAveraging<Components>::RingAveraging(const OneRings& rings, bool hasBoxes)
-  : Rings_(rings)
-  , Now_(static_cast<std::size_t>(Stride) * rings.Mesh().NumberOfPoints())
-  , Next_(static_cast<std::size_t>(Stride) * rings.Mesh().NumberOfPoints())
-  , Sum_(hasBoxes ? static_cast<std::size_t>(Stride) * rings.Mesh().NumberOfPoints() : 0)
-  , Areas_(rings.Mesh().NumberOfPoints())
-  , Own_(rings.Mesh().NumberOfPoints())
-  , Ring_(rings.Mesh().NumberOfPoints())
+RingAveraging<Components>::RingAveraging(const RingGraph& graph, bool hasBoxes)
+  : Graph_(graph)
+  , Now_(static_cast<std::size_t>(Components) * graph.NumberOfCells())
+  , Next_(static_cast<std::size_t>(Components) * graph.NumberOfCells())
+  , Sum_(hasBoxes ? static_cast<std::size_t>(Components) * graph.NumberOfCells() : 0)
+  , Areas_(graph.NumberOfCells())
+  , Own_(graph.NumberOfCells())
+  , Ring_(graph.NumberOfCells())
 {
-  this->SetPlaces(hasBoxes);
 }
 
 template <int Components>
-void RingAveraging<Components>::SetPlaces(bool alongCurve)
+void RingAveraging<Components>::Set(Id cell, const Values& values, bool counts)
 {
-  const Id count = this->Rings_.Mesh().NumberOfPoints();
-  std::vector<Id> points;
-  if (alongCurve)
-  {
-    points = PointsAlongCurve(this->Rings_.Mesh());
-  }
-  else
-  {
-    points.resize(count);
-    std::iota(points.begin(), points.end(), Id{ 0 });
-  }
-  this->Places_.resize(count);
-  this->Begins_.reserve(static_cast<std::size_t>(count) + 1);
-  Id begin = 0;
-  for (Id place = 0; place < count; ++place)
-  {
-    this->Places_[points[place]] = place;
-    this->Begins_.push_back(begin);
-    begin += this->Rings_.Around(points[place]).size();
-  }
-  this->Begins_.push_back(begin);
-  this->Neighbors_.reserve(begin);
-  for (const Id p : points)
-  {
-    for (const Id q : this->Rings_.Around(p))
-    {
-      this->Neighbors_.push_back(this->Places_[q]);
-    }
-  }
-}
-
-template <int Components>
-void RingAveraging<Components>::Set(Id p, const Values& values, bool counts)
-{
-  const double area = counts ? this->Rings_.Area(p) : 0.0;
-  const Id place = this->Places_[p];
-  this->Areas_[place] = area;
-  double* now = this->At(this->Now_, place);
+  const double area = counts ? this->Graph_.areas[cell] : 0.0;
+  this->Areas_[cell] = area;
+  double* now = At(this->Now_, cell);
   for (int i = 0; i < Components; ++i)
   {
     now[i] = counts ? area * values[i] : 0.0;
@@ -71,42 +35,106 @@ void RingAveraging<Components>::Set(Id p, const Values& values, bool counts)
 }
 
 template <int Components>
-void RingAveraging<Components>::Prepare(Id p, double share)
+void RingAveraging<Components>::Gather(Id cell, const RingAveraging& fine, Span<Id> members)
 {
-  const Id place = this->Places_[p];
-  const double area = this->Areas_[place];
-  double sum = area;
-  for (Id i = this->Begins_[place]; i < this->Begins_[place + 1]; ++i)
+  double* now = At(this->Now_, cell);
+  std::fill_n(now, Components, 0.0);
+  double area = 0.0;
+  for (const Id member : members)
   {
-    sum += this->Areas_[this->Neighbors_[i]];
+    const double* other = At(fine.Now_, member);
+    area += fine.Areas_[member];
+    for (int i = 0; i < Components; ++i)
+    {
+      now[i] += other[i];
+    }
   }
-  this->Own_[place] = 1.0 - share;
-  this->Ring_[place] = sum > 0.0 ? share * area / sum : 0.0;
+  this->Areas_[cell] = area;
+}
+
+template <int Components>
+void RingAveraging<Components>::Prepare(Id cell, double share)
+{
+  const double area = this->Areas_[cell];
+  double sum = area;
+  for (Id i = this->Graph_.begins[cell]; i < this->Graph_.begins[cell + 1]; ++i)
+  {
+    sum += this->Graph_.Factor(i) * this->Areas_[this->Graph_.neighbors[i]];
+  }
+  this->Own_[cell] = 1.0 - share;
+  this->Ring_[cell] = sum > 0.0 ? share * area / sum : 0.0;
+}
+
+template <int Components>
+void RingAveraging<Components>::Take(Id cell, const RingAveraging& coarse, Id from)
+{
+  std::copy_n(At(coarse.Now_, from), Components, At(this->Now_, cell));
+}
+
+template <int Components>
+void RingAveraging<Components>::Interpolate(Id cell, const RingAveraging& coarse, Id from)
+{
+  double* now = At(this->Now_, cell);
+  std::fill_n(now, Components, 0.0);
+  double whole = 0.0;
+  for (const GraphInterpolation::Part& part : GraphInterpolation(
+         coarse.Graph_, from, this->Graph_.positions[cell], this->Graph_.normals[cell]))
+  {
+    const double* other = At(coarse.Now_, part.cell);
+    whole += part.factor * coarse.Areas_[part.cell];
+    for (int i = 0; i < Components; ++i)
+    {
+      now[i] += part.factor * other[i];
+    }
+  }
+  const double scale = whole > 0.0 ? this->Areas_[cell] / whole : 0.0;
+  for (int i = 0; i < Components; ++i)
+  {
+    now[i] *= scale;
+  }
 }
 
 template <int Components>
 void RingAveraging<Components>::Step(Id begin, Id end, const AveragingSweep& sweep)
 {
-  const double whole = sweep.step == sweep.length ? 1.0 / (2.0 * sweep.length + 1.0) : 1.0;
-  for (Id place = begin; place < end; ++place)
+  if (this->Graph_.factors.empty())
   {
-    const double* own = this->At(this->Now_, place);
+    this->template StepWith<false>(begin, end, sweep);
+  }
+  else
+  {
+    this->template StepWith<true>(begin, end, sweep);
+  }
+}
+
+template <int Components>
+template <bool HasFactors>
+void RingAveraging<Components>::StepWith(Id begin, Id end, const AveragingSweep& sweep)
+{
+  const double whole = sweep.step == sweep.length ? 1.0 / (2.0 * sweep.length + 1.0) : 1.0;
+  const Id* begins = this->Graph_.begins.data();
+  const Id* neighbors = this->Graph_.neighbors.data();
+  const float* factors = this->Graph_.factors.data();
+  for (Id cell = begin; cell < end; ++cell)
+  {
+    const double* own = At(this->Now_, cell);
     double sum[Components];
     for (int i = 0; i < Components; ++i)
     {
       sum[i] = own[i];
     }
-    for (Id n = this->Begins_[place]; n < this->Begins_[place + 1]; ++n)
+    for (Id n = begins[cell]; n < begins[cell + 1]; ++n)
     {
-      const double* other = this->At(this->Now_, this->Neighbors_[n]);
+      const double* other = At(this->Now_, neighbors[n]);
+      const double factor = HasFactors ? double{ factors[n] } : 1.0;
       for (int i = 0; i < Components; ++i)
       {
-        sum[i] += other[i];
+        sum[i] += HasFactors ? factor * other[i] : other[i];
       }
     }
-    const double stays = this->Own_[place];
-    const double taken = this->Ring_[place];
-    double* next = this->At(this->Next_, place);
+    const double stays = this->Own_[cell];
+    const double taken = this->Ring_[cell];
+    double* next = At(this->Next_, cell);
     if (sweep.step == 0)
     {
       for (int i = 0; i < Components; ++i)
@@ -115,7 +143,7 @@ void RingAveraging<Components>::Step(Id begin, Id end, const AveragingSweep& swe
       }
       continue;
     }
-    double* box = this->At(this->Sum_, place);
+    double* box = At(this->Sum_, cell);
     for (int i = 0; i < Components; ++i)
     {
       const double average = stays * own[i] + taken * sum[i];
@@ -136,11 +164,10 @@ void RingAveraging<Components>::Swap(const AveragingSweep& sweep)
 }
 
 template <int Components>
-bool RingAveraging<Components>::Get(Id p, Values& values) const
+bool RingAveraging<Components>::Get(Id cell, Values& values) const
 {
-  const Id place = this->Places_[p];
-  const double area = this->Areas_[place];
-  const double* now = this->Now_.data() + static_cast<std::size_t>(Stride) * place;
+  const double area = this->Areas_[cell];
+  const double* now = At(this->Now_, cell);
   for (int i = 0; i < Components; ++i)
   {
     values[i] = area > 0.0 ? now[i] / area : 0.0;

@@ -2,92 +2,94 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Salience/SmoothingPlan.h"
 
+#include "Mesh/CurveOrder.h"
+
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <numeric>
 
 namespace ridges
 {
 namespace
 {
 
-/// With fewer averages boxes would be short, and save little.
-constexpr double MostPlainAverages = 30.0;
-
-constexpr int NumberOfBoxes = 6;
-
-/// What a box of n steps is worth.
-double AveragesOfBox(int n)
+std::vector<Id> PointsInOrder(const TriangleMesh& mesh)
 {
-  return n * (n + 1.0) / 3.0;
+  std::vector<Id> points(mesh.NumberOfPoints());
+  std::iota(points.begin(), points.end(), Id{ 0 });
+  return points;
 }
 
 } // namespace
 
 SmoothingPlan::SmoothingPlan(const OneRings& rings, const double* fitScale, int averages)
-  : Rings_(rings)
-  , FitScale_(fitScale)
-  , Sweeps_(averages)
-  , Averages_(averages)
-  , IsEven_(true)
+  : FitScale_(fitScale)
+  , Levels_(1)
 {
+  const std::vector<Id> points = PointsInOrder(rings.Mesh());
+  SmoothingLevel& level = this->Levels_.front();
+  level.graph = RingGraph(rings, points);
+  level.sweeps.resize(averages);
+  level.shares.assign(points.size(), 1.0);
+  level.variances.resize(points.size());
+  for (const Id p : points)
+  {
+    level.variances[p] = averages * level.graph.Variance(p);
+  }
 }
 
-SmoothingPlan::SmoothingPlan(const OneRings& rings, const double* fitScale, double sigma)
-  : Rings_(rings)
-  , FitScale_(fitScale)
-  , Variance_(sigma * sigma)
+SmoothingPlan::SmoothingPlan(
+  const OneRings& rings, const double* fitScale, double sigma, const RangeLoop& loop)
+  : FitScale_(fitScale)
+{
+  constexpr double greatest = 1e100; // whose square is a number
+  double variance = std::min(sigma, greatest) * std::min(sigma, greatest);
+  const double averages = this->AveragesOfMesh(rings, variance);
+  // So written that what is not finite is cut as well.
+  this->IsCut_ = !(averages <= MostAverages);
+  if (this->IsCut_)
+  {
+    variance *= MostAverages / averages;
+  }
+  std::vector<Id> points = PointsInOrder(rings.Mesh());
+  if (averages > MostPlainAverages)
+  {
+    // With many sweeps it pays that neighbours are near each other in memory.
+    points = PointsAlongCurve(rings.Mesh());
+    this->Cells_.resize(points.size());
+    for (std::size_t i = 0; i < points.size(); ++i)
+    {
+      this->Cells_[points[i]] = static_cast<Id>(i);
+    }
+  }
+  std::vector<double> missing(points.size());
+  std::vector<std::uint8_t> joins(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    missing[i] = std::max(0.0, variance - this->FitVariance(points[i]));
+    // Of points with more triangles the rings do not have all neighbours.
+    joins[i] = rings.Mesh().TrianglesAround(points[i]).size() <= OrderedRings::LargestFan ? 1 : 0;
+  }
+  const auto rank = [&rings, &points](Id cell) { return rings.Mesh().RankAtPlace(points[cell]); };
+  RingGraph graph(rings, points);
+  graph.SetNormals(rings, points, loop);
+  graph.SetFactors(loop);
+  this->Levels_ = BuildSmoothingLevels(
+    std::move(graph), std::move(missing), std::move(joins), rank, LeastAverages, loop);
+}
+
+double SmoothingPlan::AveragesOfMesh(const OneRings& rings, double variance) const
 {
   std::vector<double> averages;
   for (Id p = 0; p < rings.Mesh().NumberOfPoints(); ++p)
   {
     if (rings.Around(p).size() > 0)
     {
-      averages.push_back(this->AveragesFor(p));
+      averages.push_back(AveragesFor(variance - this->FitVariance(p), rings.Variance(p)));
     }
   }
-  double most = LeastAverages;
-  if (!averages.empty())
-  {
-    // A few tiny triangles must not make all others wait for them.
-    constexpr double part = 0.95;
-    const auto which = averages.begin() +
-      static_cast<std::ptrdiff_t>(part * static_cast<double>(averages.size() - 1));
-    std::nth_element(averages.begin(), which, averages.end());
-    // So written that what is not finite is cut as well.
-    this->IsCut_ = !(*which <= MostAverages);
-    most = this->IsCut_ ? MostAverages : std::max(most, *which);
-  }
-  this->SetSweeps(most);
-}
-
-void SmoothingPlan::SetSweeps(double averages)
-{
-  if (averages <= MostPlainAverages)
-  {
-    this->Averages_ = std::ceil(averages);
-    this->Sweeps_.resize(static_cast<std::size_t>(this->Averages_));
-    return;
-  }
-  int length = 1;
-  while (NumberOfBoxes * AveragesOfBox(length) < averages)
-  {
-    ++length;
-  }
-  // As many of them as will do are a step shorter.
-  const double saved = AveragesOfBox(length) - AveragesOfBox(length - 1);
-  const double excess = NumberOfBoxes * AveragesOfBox(length) - averages;
-  const int shorter = std::min(NumberOfBoxes - 1, static_cast<int>(excess / saved));
-  this->Averages_ = 0.0;
-  for (int box = 0; box < NumberOfBoxes; ++box)
-  {
-    const int n = box < shorter ? length - 1 : length;
-    this->Averages_ += AveragesOfBox(n);
-    for (int step = 1; step <= n; ++step)
-    {
-      this->Sweeps_.push_back({ step, n });
-    }
-  }
+  return MostOf(std::move(averages));
 }
 
 double SmoothingPlan::FitVariance(Id p) const
@@ -96,24 +98,9 @@ double SmoothingPlan::FitVariance(Id p) const
   return sigma * sigma;
 }
 
-double SmoothingPlan::AveragesFor(Id p) const
-{
-  const double missing = this->Variance_ - this->FitVariance(p);
-  const double perAverage = this->Rings_.Variance(p);
-  return missing > 0.0 && perAverage > 0.0 ? missing / perAverage : 0.0;
-}
-
-double SmoothingPlan::Share(Id p) const
-{
-  return this->IsEven_
-    ? 1.0
-    : std::min(1.0, std::max<double>(LeastAverages, this->AveragesFor(p)) / this->Averages_);
-}
-
 double SmoothingPlan::Sigma(Id p) const
 {
-  return std::sqrt(
-    this->FitVariance(p) + this->Averages_ * this->Share(p) * this->Rings_.Variance(p));
+  return std::sqrt(this->FitVariance(p) + this->Levels_.front().variances[this->CellOf(p)]);
 }
 
 double SmoothingPlan::MedianSigma(const double* fitScale, Id numberOfPoints)

@@ -3,8 +3,9 @@
 #ifndef ridges_SmoothingPlan_h
 #define ridges_SmoothingPlan_h
 
-#include "Salience/RingAveraging.h"
+#include "Salience/SmoothingLevels.h"
 
+#include <deque>
 #include <vector>
 
 namespace ridges
@@ -14,12 +15,16 @@ namespace ridges
  * The averages over one-rings that smooth a field to a Gaussian of standard deviation sigma, and
  * which share of each a point takes (see RingAveraging).
  *
- * A plain average adds OneRings::Variance at a point, more where triangles are larger. So that the
+ * An average adds RingGraph::Variance at a point, more where triangles are larger. So that the
  * scale is the same all over a mesh, points in large triangles take a part of each only. A fit of
  * degree two to the points within a radius r counts as a Gaussian of 0.4 r.
  *
  * Where many averages are needed six boxes replace them, whose number of sweeps grows with sigma
  * over the edges, not with its square. Six in a row damp waves as a Gaussian does, to 0.02.
+ *
+ * Where edges are so short that this takes long as well, cells are joined to larger ones, level by
+ * level, up to a share of sigma. There most of the averages are made; on the way back values are
+ * interpolated and averaged once. So the time per point does not grow as a mesh is refined.
  */
 class SmoothingPlan
 {
@@ -31,21 +36,25 @@ public:
   /// would smooth coarse meshes farther than fine ones of the same shape.
   static constexpr int LeastAverages = 1;
 
-  /// As many averages reach over 200 edges, in 1,340 sweeps; more are not taken, so that a scale
-  /// that is large by mistake, as where one point lies far off, does not take forever.
+  /// What is worth more averages of the mesh is a scale by mistake, as where one point lies far
+  /// off: then the scale is that of so many.
   static constexpr double MostAverages = 1e5;
 
   /// `fitScale` has the radius of the fit at each point; null stands for 0.
-  SmoothingPlan(const OneRings& rings, const double* fitScale, double sigma);
+  SmoothingPlan(const OneRings& rings, const double* fitScale, double sigma,
+    const RangeLoop& loop = TriangleMesh::InOneRange);
 
-  /// That many plain averages, in which all points take part in full.
+  /// That many plain averages, weighted by area, in which all points take part in full.
   SmoothingPlan(const OneRings& rings, const double* fitScale, int averages);
 
-  const std::vector<AveragingSweep>& Sweeps() const { return this->Sweeps_; }
+  /// The finest first.
+  const std::deque<SmoothingLevel>& Levels() const { return this->Levels_; }
+
+  /// Of the finest level.
+  Id CellOf(Id p) const { return this->Cells_.empty() ? p : this->Cells_[p]; }
 
   /// Whether the scale was out of reach for MostAverages.
   bool IsCut() const { return this->IsCut_; }
-  double Share(Id p) const;
 
   /// The standard deviation that comes out at p.
   double Sigma(Id p) const;
@@ -54,18 +63,13 @@ public:
   static double MedianSigma(const double* fitScale, Id numberOfPoints);
 
 private:
-  void SetSweeps(double averages);
   double FitVariance(Id p) const;
-  /// Averages that p alone would take, with a fraction.
-  double AveragesFor(Id p) const;
+  double AveragesOfMesh(const OneRings& rings, double variance) const;
 
-  const OneRings& Rings_;
   const double* FitScale_;
-  double Variance_ = 0.0;
-  std::vector<AveragingSweep> Sweeps_;
-  double Averages_ = LeastAverages; ///< That the sweeps are worth.
+  std::deque<SmoothingLevel> Levels_;
+  std::vector<Id> Cells_; ///< By point; empty where they are the same.
   bool IsCut_ = false;
-  bool IsEven_ = false;
 };
 
 } // namespace ridges

@@ -1,19 +1,17 @@
 // SPDX-FileCopyrightText: Copyright (c) vtkRidges contributors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include "Fixtures/MeshWithRings.h"
 #include "Fixtures/TestFields.h"
 
 #include "Salience/OneRings.h"
 #include "Salience/RingAveraging.h"
-#include "Salience/SmoothingPlan.h"
 #include "Salience/TensorSmoothing.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
-#include <numeric>
 #include <vector>
 
 namespace
@@ -21,23 +19,6 @@ namespace
 
 using namespace ridges;
 using namespace ridges::testing;
-
-struct MeshWithRings
-{
-  explicit MeshWithRings(const Mesh& mesh)
-    : surface(mesh)
-    , ordered(RingsOf(surface.Triangles()))
-    , rings(surface.Triangles(), ordered)
-  {
-    rings.Build(0, surface.Triangles().NumberOfPoints());
-  }
-
-  const TriangleMesh& Triangles() const { return this->surface.Triangles(); }
-
-  MeshedSurface surface;
-  OrderedRings ordered;
-  OneRings rings;
-};
 
 /// Two tetrahedra that share a corner, 0: the triangles there are two fans.
 Mesh TwoTetrahedra()
@@ -59,21 +40,14 @@ Mesh TwoTetrahedra()
   return mesh;
 }
 
-/// A flat grid of right triangles, edges of length 1.
-Mesh Grid(int n)
-{
-  return GraphPatch([](double, double) { return 0.0; }, 0.5 * n, n);
-}
-
 template <int Components>
-void Sweep(
-  RingAveraging<Components>& averaging, Id count, const std::vector<AveragingSweep>& sweeps)
+void Average(RingAveraging<Components>& averaging, Id count, int times)
 {
-  for (const AveragingSweep& sweep : sweeps)
+  for (int i = 0; i < times; ++i)
   {
-    averaging.Step(0, count / 2, sweep);
-    averaging.Step(count / 2, count, sweep);
-    averaging.Swap(sweep);
+    averaging.Step(0, count / 2);
+    averaging.Step(count / 2, count);
+    averaging.Swap();
   }
 }
 
@@ -142,7 +116,8 @@ TEST(RingAveraging, KeepsConstants)
 {
   const MeshWithRings made(AddNormalNoise(Icosphere(5), 0.05, 1));
   const Id count = made.Triangles().NumberOfPoints();
-  RingAveraging<9> averaging(made.rings);
+  const RingGraph graph = made.Graph(true);
+  RingAveraging<9> averaging(graph);
   for (Id p = 0; p < count; ++p)
   {
     averaging.Set(p, { 1.0, -2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0 });
@@ -151,7 +126,7 @@ TEST(RingAveraging, KeepsConstants)
   {
     averaging.Prepare(p, p % 3 == 0 ? 0.3 : 1.0);
   }
-  Sweep(averaging, count, std::vector<AveragingSweep>(20));
+  Average(averaging, count, 20);
   for (Id p = 0; p < count; ++p)
   {
     RingAveraging<9>::Values values;
@@ -166,7 +141,8 @@ TEST(RingAveraging, LeavesOutPointsThatDoNotCount)
 {
   const MeshWithRings made(Icosphere(3));
   const Id count = made.Triangles().NumberOfPoints();
-  RingAveraging<9> averaging(made.rings);
+  const RingGraph graph = made.Graph(true);
+  RingAveraging<9> averaging(graph);
   const double none = std::nan("");
   for (Id p = 0; p < count; ++p)
   {
@@ -177,7 +153,7 @@ TEST(RingAveraging, LeavesOutPointsThatDoNotCount)
   {
     averaging.Prepare(p, 1.0);
   }
-  Sweep(averaging, count, std::vector<AveragingSweep>(3));
+  Average(averaging, count, 3);
   for (Id p = 0; p < count; ++p)
   {
     RingAveraging<9>::Values values;
@@ -186,99 +162,41 @@ TEST(RingAveraging, LeavesOutPointsThatDoNotCount)
   }
 }
 
-//------------------------------------------------------------------------------
-// The average of x^2 over a Gaussian around x = 0 is its variance. The triangles are uneven; points
-// in the smallest, at most the twentieth part of all, reach a little less of the scale.
-TEST(SmoothingPlan, ReachesTheScaleWhateverTheTriangles)
+// The triangles are three times as large at one side as at the other. Weighted by area alone each
+// average moves a little to that side.
+TEST(RingAveraging, DoesNotWanderToLargeTriangles)
 {
-  // Plain averages for the first, boxes for the others.
-  for (const double sigma : { 0.9, 1.5, 3.0 })
-  {
-    // The mesh ends farther away than the Gaussian reaches.
-    const MeshWithRings made(GraphPatch([](double, double) { return 0.0; }, 16.0, 64, 0.2));
-    const TriangleMesh& mesh = made.Triangles();
-    const SmoothingPlan plan(made.rings, nullptr, sigma);
-    RingAveraging<9> averaging(made.rings, true);
-    for (Id p = 0; p < mesh.NumberOfPoints(); ++p)
-    {
-      averaging.Set(p, { mesh.Point(p)[0] * mesh.Point(p)[0] });
-    }
-    for (Id p = 0; p < mesh.NumberOfPoints(); ++p)
-    {
-      averaging.Prepare(p, plan.Share(p));
-    }
-    Sweep(averaging, mesh.NumberOfPoints(), plan.Sweeps());
-    double excess = 0.0;
-    int inside = 0;
-    for (Id p = 0; p < mesh.NumberOfPoints(); ++p)
-    {
-      if (mesh.Point(p).norm() < 4.0)
-      {
-        RingAveraging<9>::Values values;
-        averaging.Get(p, values);
-        excess += values[0] - mesh.Point(p)[0] * mesh.Point(p)[0];
-        ++inside;
-        EXPECT_NEAR(plan.Sigma(p), sigma, 0.1 * sigma);
-      }
-    }
-    // Some percent, as neighbours are not spread evenly around each point.
-    EXPECT_NEAR(std::sqrt(excess / inside), sigma, 0.05 * sigma);
-  }
-}
-
-TEST(SmoothingPlan, CountsWhatTheFitHasSmoothed)
-{
-  const MeshWithRings made(Grid(30));
-  const std::vector<double> radii(made.Triangles().NumberOfPoints(), 5.0); // 0.4 of it: 2
-  const SmoothingPlan alone(made.rings, nullptr, 2.5);
-  const SmoothingPlan plan(made.rings, radii.data(), 2.5);
-  EXPECT_LT(plan.Sweeps().size(), alone.Sweeps().size());
-  EXPECT_NEAR(plan.Sigma(465), 2.5, 0.01);
-  // One average is made at least, and reported.
-  const SmoothingPlan coarse(made.rings, radii.data(), 0.1);
-  EXPECT_EQ(coarse.Sweeps().size(), 1u);
-  EXPECT_GT(coarse.Sigma(465), 2.0);
-}
-
-TEST(SmoothingPlan, BoxesAreAGaussianAndTakeFewSweeps)
-{
-  // A wave along x is damped by exp(-sigma^2 w^2 / 2), and what alternates from point to point
-  // disappears. The mesh ends farther away than boxes reach.
-  const double sigma = 5.0;
-  const int size = 120;
-  const MeshWithRings made(Grid(size));
+  const MeshWithRings made(GradedGrid(40));
   const TriangleMesh& mesh = made.Triangles();
-  const SmoothingPlan plan(made.rings, nullptr, sigma);
-  const double averages = sigma * sigma / made.rings.Variance(mesh.NumberOfPoints() / 2);
-  EXPECT_LT(static_cast<double>(plan.Sweeps().size()), 0.6 * averages);
-  for (const double w : { 0.1, 0.2, 0.4 })
+  const auto largestDrift = [&made, &mesh](bool hasFactors)
   {
-    RingAveraging<9> averaging(made.rings, true);
+    const RingGraph graph = made.Graph(hasFactors);
+    RingAveraging<9> averaging(graph);
     for (Id p = 0; p < mesh.NumberOfPoints(); ++p)
     {
-      const Eigen::Vector3d x = mesh.Point(p);
-      const auto column = static_cast<int>(std::lround(x[0] + 0.5 * size));
-      averaging.Set(p, { std::cos(w * x[0]), column % 2 == 0 ? 1.0 : -1.0 });
+      averaging.Set(p, { mesh.Point(p)[0], mesh.Point(p)[1] });
     }
     for (Id p = 0; p < mesh.NumberOfPoints(); ++p)
     {
-      averaging.Prepare(p, plan.Share(p));
+      averaging.Prepare(p, 1.0);
     }
-    Sweep(averaging, mesh.NumberOfPoints(), plan.Sweeps());
+    Average(averaging, mesh.NumberOfPoints(), 10);
+    double largest = 0.0;
     for (Id p = 0; p < mesh.NumberOfPoints(); ++p)
     {
+      // Ten averages do not reach the border from there.
       const Eigen::Vector3d x = mesh.Point(p);
-      if (x.cwiseAbs().maxCoeff() < 10.0)
+      RingAveraging<9>::Values values;
+      averaging.Get(p, values);
+      if (std::abs(x[0] + 5.0) < 4.0 && std::abs(x[1]) < 8.0)
       {
-        RingAveraging<9>::Values values;
-        averaging.Get(p, values);
-        const double reached = plan.Sigma(p);
-        EXPECT_NEAR(
-          values[0], std::exp(-0.5 * reached * reached * w * w) * std::cos(w * x[0]), 0.02);
-        EXPECT_NEAR(values[1], 0.0, 1e-4);
+        largest = std::max(largest, std::hypot(values[0] - x[0], values[1] - x[1]));
       }
     }
-  }
+    return largest;
+  };
+  EXPECT_LT(largestDrift(true), 1e-5);
+  EXPECT_GT(largestDrift(false), 0.1);
 }
 
 //------------------------------------------------------------------------------
