@@ -20,6 +20,9 @@
 namespace
 {
 
+/// Some tenths of a second of those of noise.
+constexpr vtkIdType BatchOfRidges = 1 << 13;
+
 struct PlaceCrossings
 {
   ridges::RidgeCrossings& crossings;
@@ -260,7 +263,8 @@ bool vtkRidgesSearch::LeaveOutSmallLoops(vtkAlgorithm* filter, double from, doub
       isLeftOut[i] = smallLoops.Contain(whole[i], pieces.segments, pieces.paths) ? 1 : 0;
     }
   };
-  if (!vtkRidgesForBatches(filter, static_cast<vtkIdType>(whole.size()), from, to, look))
+  if (!vtkRidgesForBatches(
+        filter, static_cast<vtkIdType>(whole.size()), from, to, look, BatchOfRidges))
   {
     return false;
   }
@@ -291,7 +295,8 @@ bool vtkRidgesSearch::Trace(vtkAlgorithm* filter, double from, double to,
   TraceRidges trace{ whole, pieces.segments, pieces.paths, crossings, this->TypeRule, lookup,
     this->ShortestRun, byP ? this->TypeSignificance : 0.0, this->TypeErrors, this->MeasuresTypes,
     found };
-  if (!vtkRidgesForBatches(filter, static_cast<vtkIdType>(whole.size()), from, to, trace))
+  if (!vtkRidgesForBatches(
+        filter, static_cast<vtkIdType>(whole.size()), from, to, trace, BatchOfRidges))
   {
     return false;
   }
