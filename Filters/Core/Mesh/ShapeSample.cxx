@@ -58,7 +58,9 @@ double Mean(const Points& points, double greatest, const ValueOf& valueOf)
   {
     if (IsOnSurface(points.mesh, p))
     {
-      sum += std::llround(valueOf(p) / greatest * Steps);
+      // Of huge coordinates it may be no number.
+      const double part = valueOf(p) / greatest;
+      sum += part < 1.0 ? std::llround(part * Steps) : std::llround(Steps);
     }
   }
   return static_cast<double>(SumOverRanks(points.ranks, sum)) /
