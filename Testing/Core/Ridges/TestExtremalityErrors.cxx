@@ -155,8 +155,9 @@ TEST(ExtremalityErrors, WithoutFitsOnlyRoundingCounts)
   mesh.SetSlope(1e-6);
   std::fill(mesh.field.k1.begin(), mesh.field.k1.end(), 0.1);
   const MongeField view = mesh.field.View();
+  const FitErrorSource none;
   ExtremalityErrors errors(
-    { mesh.surface.Triangles(), view, FitErrorSource(), mesh.isFlagged }, Color::Blue, 3.0);
+    { mesh.surface.Triangles(), view, none, mesh.isFlagged }, Color::Blue, 3.0);
   EXPECT_EQ(errors.VerdictAt(Center), Verdict::Significant);
 }
 
