@@ -3,14 +3,14 @@
 // How soon each filter ends that is aborted, and whether its progress only rises, on an ellipsoid
 // of 10 FREQUENCY^2 + 2 points with noise of 0.01 edges; see abort.sh.
 //
-//   RidgesAbort FREQUENCY [--check]
+//   RidgesAbort FREQUENCY [--check | CLASS]
 //
-// Each filter runs once to its end. Then an abort is asked for at the beginning of the longest time
-// without an event of progress, and after half of the time; the filter learns of it at its next
-// event, as from an observer. With --check, the test, at more moments and without times. The exit
-// code is 0 if progress never fell, aborted filters left their outputs empty, and another run gives
-// the same again. Seconds are of the processor: with one thread, those of a machine that does
-// nothing else.
+// The filters of all classes are tried, or those of one. Each runs once to its end. Then an abort
+// is asked for at the beginning of the longest time without an event of progress, and after half of
+// the time; the filter learns of it at its next event, as from an observer. With --check, the test,
+// at more moments and without times. The exit code is 0 if progress never fell, aborted filters
+// left their outputs empty, and another run gives the same again. Seconds are of the processor:
+// with one thread, those of a machine that does nothing else.
 
 #include "FilterTestTools.h"
 #include "ImageSamples.h"
@@ -43,6 +43,7 @@
 #include <cstdlib>
 #include <ctime>
 #include <string>
+#include <utility>
 #include <vector>
 
 using namespace ridges::testing;
@@ -160,8 +161,9 @@ Gap LongestGap(const Observed& seen)
 class Trials
 {
 public:
-  explicit Trials(bool check)
+  Trials(bool check, std::string only)
     : IsCheck(check)
+    , Only(std::move(only))
   {
     if (!check)
     {
@@ -175,6 +177,10 @@ public:
   template <typename Filter>
   void Try(Filter* filter, vtkIdType points)
   {
+    if (!this->Only.empty() && this->Only != filter->GetClassName())
+    {
+      return;
+    }
     const Observed whole = Update(filter, 2.0);
     const vtkIdType elements = NumberOfElements(filter);
     const Gap gap = LongestGap(whole);
@@ -225,6 +231,7 @@ private:
   }
 
   bool IsCheck;
+  std::string Only; ///< Empty: all.
 };
 
 //------------------------------------------------------------------------------
@@ -341,14 +348,14 @@ int main(int argc, char* argv[])
 {
   const int frequency = argc > 1 ? std::atoi(argv[1]) : 0;
   const bool isCheck = argc > 2 && argv[2] == std::string("--check");
-  if (frequency < 4 || frequency > 2000 || (argc > 2 && !isCheck))
+  if (frequency < 4 || frequency > 2000 || argc > 3)
   {
-    std::fprintf(stderr, "%s FREQUENCY [--check], 4 to 2000\n", argv[0]);
+    std::fprintf(stderr, "%s FREQUENCY [--check | CLASS], 4 to 2000\n", argv[0]);
     return 2;
   }
   const Mesh even = ToMesh(EllipsoidData(frequency));
   const auto mesh = ToPolyData(AddNormalNoise(even, 0.01 * MeanEdgeLength(even), 1));
-  Trials trials(isCheck);
+  Trials trials(isCheck, argc > 2 && !isCheck ? argv[2] : "");
   TryStages(trials, mesh);
   TryAllInOne(trials, mesh);
   TryExact(trials, mesh, frequency);

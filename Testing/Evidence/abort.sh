@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-FileCopyrightText: Copyright (c) vtkRidges contributors
 # SPDX-License-Identifier: BSD-3-Clause
-# How soon filters end that are aborted, written into Filters/Documentation/Evidence.md; hours at the
-# default size, two minutes at 100.
+# How soon filters end that are aborted, written into Filters/Documentation/Evidence.md; forty minutes at
+# the default size, two at 100.
 #
 #   Testing/Evidence/abort.sh [FREQUENCY]
 #
