@@ -90,9 +90,12 @@ private:
 /// Of all points of all pieces, about as many per rank; each rank gives its part.
 std::vector<Eigen::Vector3d> SampleOf(Ranks& ranks, const MeshPiece& piece)
 {
-  constexpr std::int64_t perRank = 512;
+  // So that ranks own as many to a percent or so, if they are few; many need not be that even.
+  constexpr std::int64_t leastPerRank = 512;
+  constexpr std::int64_t least = 1 << 15;
+  const std::int64_t wanted = std::max(least, leastPerRank * ranks.Size());
   const std::int64_t all = SumOverRanks(ranks, piece.numberOfPoints);
-  const std::int64_t step = std::max<std::int64_t>(1, all / (perRank * ranks.Size()));
+  const std::int64_t step = std::max<std::int64_t>(1, all / wanted);
   std::vector<std::array<double, 3>> own;
   for (std::int64_t p = step / 2; p < piece.numberOfPoints; p += step)
   {
