@@ -34,4 +34,31 @@ bool vtkRidgesForBatches(vtkAlgorithm* algorithm, vtkIdType count, double from, 
   return true;
 }
 
+/// The same where items differ in size: a batch ends when the sizes of its items are `most`
+/// together.
+template <typename Body, typename SizeOf>
+bool vtkRidgesForSizedBatches(vtkAlgorithm* algorithm, vtkIdType count, double from, double to,
+  Body& body, const SizeOf& sizeOf, vtkIdType most = 1 << 16)
+{
+  vtkIdType begin = 0;
+  vtkIdType size = 0;
+  for (vtkIdType end = 1; end <= count; ++end)
+  {
+    size += sizeOf(end - 1);
+    if (size < most && end < count)
+    {
+      continue;
+    }
+    vtkSMPTools::For(begin, end, body);
+    begin = end;
+    size = 0;
+    algorithm->UpdateProgress(from + (to - from) * static_cast<double>(end) / count);
+    if (vtkRidgesCompatibility::IsAborted(algorithm))
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
 #endif

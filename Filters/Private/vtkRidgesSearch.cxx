@@ -20,8 +20,16 @@
 namespace
 {
 
-/// Some tenths of a second of those of noise.
-constexpr vtkIdType BatchOfRidges = 1 << 13;
+/// The number of segments of a ridge.
+struct SizeOf
+{
+  const std::vector<ridges::Ridge>& ridges;
+
+  vtkIdType operator()(vtkIdType i) const
+  {
+    return static_cast<vtkIdType>(this->ridges[i].segments.size());
+  }
+};
 
 struct PlaceCrossings
 {
@@ -263,8 +271,8 @@ bool vtkRidgesSearch::LeaveOutSmallLoops(vtkAlgorithm* filter, double from, doub
       isLeftOut[i] = smallLoops.Contain(whole[i], pieces.segments, pieces.paths) ? 1 : 0;
     }
   };
-  if (!vtkRidgesForBatches(
-        filter, static_cast<vtkIdType>(whole.size()), from, to, look, BatchOfRidges))
+  if (!vtkRidgesForSizedBatches(
+        filter, static_cast<vtkIdType>(whole.size()), from, to, look, SizeOf{ whole }))
   {
     return false;
   }
@@ -295,8 +303,8 @@ bool vtkRidgesSearch::Trace(vtkAlgorithm* filter, double from, double to,
   TraceRidges trace{ whole, pieces.segments, pieces.paths, crossings, this->TypeRule, lookup,
     this->ShortestRun, byP ? this->TypeSignificance : 0.0, this->TypeErrors, this->MeasuresTypes,
     found };
-  if (!vtkRidgesForBatches(
-        filter, static_cast<vtkIdType>(whole.size()), from, to, trace, BatchOfRidges))
+  if (!vtkRidgesForSizedBatches(
+        filter, static_cast<vtkIdType>(whole.size()), from, to, trace, SizeOf{ whole }))
   {
     return false;
   }
