@@ -38,7 +38,7 @@ bool vtkRidgesForBatches(vtkAlgorithm* algorithm, vtkIdType count, double from, 
 /// together.
 template <typename Body, typename SizeOf>
 bool vtkRidgesForSizedBatches(vtkAlgorithm* algorithm, vtkIdType count, double from, double to,
-  Body& body, const SizeOf& sizeOf, vtkIdType most = 1 << 16)
+  Body& body, const SizeOf& sizeOf, vtkIdType most = 1 << 11)
 {
   vtkIdType begin = 0;
   vtkIdType size = 0;
