@@ -7,35 +7,14 @@
 
 #include "vtkSMPTools.h"
 
-#include <algorithm>
-
 /**
- * Runs body(begin, end) over [0, count) in parallel, batch after batch. Between two batches the
- * calling thread reports progress, from `from` to `to`, and looks whether the user asked to abort:
- * then the result is false.
+ * Runs body(begin, end) over [0, count) in parallel, batch after batch, each of which ends when the
+ * sizes of its items are `most` together. Between two batches the calling thread reports progress,
+ * from `from` to `to`, and looks whether the user asked to abort: then the result is false.
  *
- * Threads wait for each other at the end of a batch, so it should be as long as `batch` items of
- * the slowest kind may keep a user who aborts waiting: some tenths of a second.
+ * Threads wait for each other at the end of a batch, so it should be as long as `most` of the
+ * slowest kind may keep a user who aborts waiting: some tenths of a second.
  */
-template <typename Body>
-bool vtkRidgesForBatches(vtkAlgorithm* algorithm, vtkIdType count, double from, double to,
-  Body& body, vtkIdType batch = 1 << 17)
-{
-  for (vtkIdType begin = 0; begin < count; begin += batch)
-  {
-    const vtkIdType end = std::min(begin + batch, count);
-    vtkSMPTools::For(begin, end, body);
-    algorithm->UpdateProgress(from + (to - from) * static_cast<double>(end) / count);
-    if (vtkRidgesCompatibility::IsAborted(algorithm))
-    {
-      return false;
-    }
-  }
-  return true;
-}
-
-/// The same where items differ in size: a batch ends when the sizes of its items are `most`
-/// together.
 template <typename Body, typename SizeOf>
 bool vtkRidgesForSizedBatches(vtkAlgorithm* algorithm, vtkIdType count, double from, double to,
   Body& body, const SizeOf& sizeOf, vtkIdType most = 1 << 11)
@@ -59,6 +38,15 @@ bool vtkRidgesForSizedBatches(vtkAlgorithm* algorithm, vtkIdType count, double f
     }
   }
   return true;
+}
+
+/// The same in batches of so many items.
+template <typename Body>
+bool vtkRidgesForBatches(vtkAlgorithm* algorithm, vtkIdType count, double from, double to,
+  Body& body, vtkIdType batch = 1 << 17)
+{
+  const auto one = [](vtkIdType) -> vtkIdType { return 1; };
+  return vtkRidgesForSizedBatches(algorithm, count, from, to, body, one, batch);
 }
 
 #endif
