@@ -8,6 +8,7 @@
 
 #include "vtkSMPTools.h"
 
+#include <algorithm>
 #include <functional>
 
 /// A ridges::RangeLoop over VTK's threads: how the filters lend them to the numerics.
