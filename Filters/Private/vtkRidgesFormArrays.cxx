@@ -8,9 +8,42 @@
 #include "vtkPointData.h"
 
 #include <algorithm>
+#include <cstddef>
+#include <cstring>
 #include <string>
 
 namespace names = vtkRidgesArrayNames;
+
+namespace
+{
+
+/// The rows of an array, one after the other, as bytes, which are aligned to nothing. What comes
+/// after them.
+template <typename T>
+char* Packed(const T* values, int width, const std::vector<ridges::Id>& rows, char* to)
+{
+  const std::size_t size = sizeof(T) * width;
+  for (const ridges::Id row : rows)
+  {
+    std::memcpy(to, values + static_cast<std::size_t>(width) * row, size);
+    to += size;
+  }
+  return to;
+}
+
+template <typename T>
+const char* Unpacked(const char* from, int width, const std::vector<ridges::Id>& rows, T* values)
+{
+  const std::size_t size = sizeof(T) * width;
+  for (const ridges::Id row : rows)
+  {
+    std::memcpy(values + static_cast<std::size_t>(width) * row, from, size);
+    from += size;
+  }
+  return from;
+}
+
+} // namespace
 
 void vtkRidgesFormArrays::StoreAll(
   const vtkRidgesFormArrays& others, const std::vector<ridges::Id>& ids)
@@ -30,6 +63,32 @@ void vtkRidgesFormArrays::StoreAll(
   {
     this->Status[ids[i]] = others.Status[i];
   }
+}
+
+void vtkRidgesFormArrays::PackRows(ridges::Bytes& bytes, const std::vector<ridges::Id>& rows) const
+{
+  std::size_t size = sizeof(int);
+  for (const auto& array : this->Arrays)
+  {
+    size += sizeof(double) * array->GetNumberOfComponents();
+  }
+  const std::size_t before = bytes.size();
+  bytes.resize(before + size * rows.size());
+  char* to = bytes.data() + before;
+  for (const auto& array : this->Arrays)
+  {
+    to = Packed(array->GetPointer(0), array->GetNumberOfComponents(), rows, to);
+  }
+  Packed(this->Status, 1, rows, to);
+}
+
+void vtkRidgesFormArrays::StoreRows(const char* packed, const std::vector<ridges::Id>& ids)
+{
+  for (const auto& array : this->Arrays)
+  {
+    packed = Unpacked(packed, array->GetNumberOfComponents(), ids, array->GetPointer(0));
+  }
+  Unpacked(packed, 1, ids, this->Status);
 }
 
 void vtkRidgesFormArrays::AddTo(vtkPointData* pointData)

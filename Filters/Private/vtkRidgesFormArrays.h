@@ -3,6 +3,7 @@
 #ifndef vtkRidgesFormArrays_h
 #define vtkRidgesFormArrays_h
 
+#include "Core/Base/Ranks.h"
 #include "Core/Base/Types.h"
 #include "vtkRidgesCompatibility.h"
 
@@ -26,6 +27,12 @@ class vtkRidgesFormArrays
 public:
   /// The values of other points, of the same order: their first is stored as that of ids[0].
   void StoreAll(const vtkRidgesFormArrays& others, const std::vector<ridges::Id>& ids);
+
+  /// Appends the values of some points, one array after the other.
+  void PackRows(ridges::Bytes& bytes, const std::vector<ridges::Id>& rows) const;
+
+  /// Values of the same arrays, as they were packed, become those of these points.
+  void StoreRows(const char* packed, const std::vector<ridges::Id>& ids);
 
   void AddTo(vtkPointData* pointData);
 

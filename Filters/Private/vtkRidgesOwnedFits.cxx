@@ -13,6 +13,7 @@
 #include "vtkRidgesJetBlend.h"
 #include "vtkRidgesJetSelection.h"
 #include "vtkRidgesMesh.h"
+#include "vtkRidgesPartsToPieces.h"
 #include "vtkRidgesRangeLoop.h"
 #include "vtkRidgesSharedRows.h"
 #include "vtkRidgesUmbilicMarks.h"
@@ -167,7 +168,8 @@ bool vtkRidgesOwnedFits::Fit(const std::vector<Id>& points, vtkPointData* values
   return fitted != nullptr;
 }
 
-/// All owned points, so that those of each part lie together. As many parts on all ranks.
+/// All owned points, so that those of each part lie together, each as they lie in memory. As many
+/// parts on all ranks.
 std::vector<Id> vtkRidgesOwnedFits::PointsInParts(std::vector<Id>& begins) const
 {
   // Of smaller parts, what lies around is as much as they are; of larger ones, each takes new
@@ -181,42 +183,70 @@ std::vector<Id> vtkRidgesOwnedFits::PointsInParts(std::vector<Id>& begins) const
   {
     begins.push_back(static_cast<Id>(static_cast<std::int64_t>(count) * i / parts));
   }
-  if (parts > 1)
+  if (parts == 1)
   {
-    return ridges::PointsAlongCurve(this->Shared.Around(), count);
+    std::vector<Id> points(count);
+    std::iota(points.begin(), points.end(), 0);
+    return points;
   }
-  std::vector<Id> points(count);
-  std::iota(points.begin(), points.end(), 0);
+  std::vector<Id> points = ridges::PointsAlongCurve(this->Shared.Around(), count);
+  for (Id i = 0; i < parts; ++i)
+  {
+    std::sort(points.begin() + begins[i], points.begin() + begins[i + 1]);
+  }
   return points;
 }
 
-bool vtkRidgesOwnedFits::FitAll(vtkPointData* values)
+/// In parts, as the share of the mesh that fits look at takes memory. False if the user aborted.
+template <typename TakePart>
+bool vtkRidgesOwnedFits::FitInParts(
+  const std::vector<Id>& points, const std::vector<Id>& begins, const TakePart& takePart)
 {
-  std::vector<Id> begins;
-  const std::vector<Id> points = this->PointsInParts(begins);
-  if (begins.size() == 2)
-  {
-    return this->Fit(points, values);
-  }
   ridges::ReturnFreeMemory();
-  vtkRidgesMongeOutput all(
-    this->Shared.NumberOfOwned(), this->Order, this->Settings[0].standardErrors);
   const double from = this->From;
   const double step = (this->To - from) / static_cast<double>(begins.size() - 1);
   for (std::size_t i = 0; i + 1 < begins.size(); ++i)
   {
     this->SetProgress(
       from + step * static_cast<double>(i), from + step * static_cast<double>(i + 1));
-    std::vector<Id> part(points.begin() + begins[i], points.begin() + begins[i + 1]);
-    std::sort(part.begin(), part.end()); // as they lie in memory
+    const std::vector<Id> part(points.begin() + begins[i], points.begin() + begins[i + 1]);
     const std::unique_ptr<vtkRidgesMongeOutput> fitted = this->FitPoints(part);
     if (!fitted)
     {
       return false;
     }
-    all.StoreAll(*fitted, part);
+    takePart(i, part, *fitted);
   }
-  all.AddTo(values);
+  return true;
+}
+
+bool vtkRidgesOwnedFits::FitPiece(vtkPointData* values)
+{
+  std::vector<Id> begins;
+  const std::vector<Id> points = this->PointsInParts(begins);
+  const ridges::SharedPoints& shared = this->Shared.Points();
+  const bool standardErrors = this->Settings[0].standardErrors;
+  if (this->Choice.numberOfAverages == 0)
+  {
+    const vtkRidgesPartsToPieces toPieces(this->Ranks, shared, points, begins);
+    vtkRidgesMongeOutput ofPiece(shared.NumberOfPoints(), this->Order, standardErrors);
+    const bool isDone = this->FitInParts(points, begins,
+      [&toPieces, &ofPiece](std::size_t i, const auto& part, const vtkRidgesMongeOutput& fitted)
+      { toPieces.Send(i, part, fitted, ofPiece); });
+    ofPiece.AddTo(values);
+    return isDone;
+  }
+  vtkRidgesMongeOutput all(this->Shared.NumberOfOwned(), this->Order, standardErrors);
+  if (!this->FitInParts(points, begins,
+        [&all](std::size_t, const std::vector<Id>& part, const vtkRidgesMongeOutput& fitted)
+        { all.StoreAll(fitted, part); }))
+  {
+    return false;
+  }
+  vtkNew<vtkPointData> owned;
+  all.AddTo(owned);
+  this->Average(owned);
+  vtkRidgesRowsOfPiece(this->Ranks, shared, owned, values);
   return true;
 }
 
@@ -238,12 +268,9 @@ bool vtkRidgesOwnedFits::FitAndAverage(const std::vector<Id>& points, vtkPointDa
   return true;
 }
 
+/// The values are those of all owned points.
 void vtkRidgesOwnedFits::Average(vtkPointData* values)
 {
-  if (this->Choice.numberOfAverages == 0)
-  {
-    return;
-  }
   std::vector<Id> points(this->Shared.NumberOfOwned());
   std::iota(points.begin(), points.end(), 0);
   ridges::MeshShare share(this->Ranks, this->Shared, std::move(points),

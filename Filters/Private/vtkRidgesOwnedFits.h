@@ -44,14 +44,11 @@ public:
   /// The values at some owned points, in their order, before averages. False if the user aborted.
   bool Fit(const std::vector<ridges::Id>& points, vtkPointData* values);
 
-  /// The same at all of them, in parts, as the share of the mesh that fits look at takes memory.
-  bool FitAll(vtkPointData* values);
+  /// With averages, at all of them; they become those of the points of the ranks' pieces.
+  bool FitPiece(vtkPointData* values);
 
-  /// The same with averages, of a mesh that is all on this rank.
+  /// With averages, of a mesh that is all on this rank.
   bool FitAndAverage(const std::vector<ridges::Id>& points, vtkPointData* values);
-
-  /// Averages the values, which are those of all owned points.
-  void Average(vtkPointData* values);
 
   /// The output for a piece, by the values of its points.
   void Store(vtkPolyData* piece, vtkPointData* values, vtkPolyData* output) const;
@@ -68,6 +65,10 @@ public:
 private:
   std::unique_ptr<vtkRidgesMongeOutput> FitPoints(const std::vector<ridges::Id>& points);
   std::vector<ridges::Id> PointsInParts(std::vector<ridges::Id>& begins) const;
+  template <typename TakePart>
+  bool FitInParts(const std::vector<ridges::Id>& points, const std::vector<ridges::Id>& begins,
+    const TakePart& takePart);
+  void Average(vtkPointData* values);
   bool FitShare(const std::vector<ridges::Id>& points, int rings, std::vector<int>& reach);
   int GuessReach() const;
   void LookAt(const ridges::MeshShare& share, const ridges::OrderedRings& rings,

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkRidgesSharedFit.h"
 
-#include "Core/Base/LargeMemory.h"
 #include "Core/Base/RankGathering.h"
 #include "Core/Shares/SharedMesh.h"
 #include "Core/Shares/SharedSurface.h"
@@ -13,7 +12,6 @@
 #include "vtkRidgesOwnedFits.h"
 #include "vtkRidgesPiece.h"
 #include "vtkRidgesSharedInput.h"
-#include "vtkRidgesSharedRows.h"
 
 #include "vtkInformationVector.h"
 #include "vtkNew.h"
@@ -69,7 +67,7 @@ private:
   vtkSmartPointer<vtkPolyData> Piece; ///< Of triangles.
   ridges::SharedMesh Shared;
   std::unique_ptr<vtkRidgesOwnedFits> Fits;
-  vtkNew<vtkPointData> Values; ///< Of owned points.
+  vtkNew<vtkPointData> Values; ///< Of the piece.
   vtkRidgesFitFaults Faults;   ///< Of the piece.
 };
 
@@ -103,7 +101,7 @@ bool SharedFit::Take(vtkInformationVector* input)
 bool SharedFit::Fit()
 {
   this->Fits = std::make_unique<vtkRidgesOwnedFits>(this->Filter, this->Ranks, this->Shared);
-  return this->Fits->Choose() && this->Fits->FitAll(this->Values);
+  return this->Fits->Choose() && this->Fits->FitPiece(this->Values);
 }
 
 void SharedFit::Warn()
@@ -124,12 +122,8 @@ void SharedFit::Warn()
 
 void SharedFit::Store(vtkPolyData* output)
 {
-  this->Fits->Average(this->Values);
   this->Shared.Release();
-  ridges::ReturnFreeMemory();
-  vtkNew<vtkPointData> rows;
-  vtkRidgesRowsOfPiece(this->Ranks, this->Shared.Points(), this->Values, rows);
-  this->Fits->Store(this->Piece, rows, output);
+  this->Fits->Store(this->Piece, this->Values, output);
 }
 
 void SharedFit::Keep(ridges::SharedSurface& surface)

@@ -73,7 +73,7 @@ void ForArrays(vtkPointData* from, vtkPointData* to, std::size_t numberOfRows, c
 void vtkRidgesRowsOfPiece(ridges::Ranks& ranks, const ridges::SharedPoints& points,
   vtkPointData* owned, vtkPointData* piece)
 {
-  ForArrays(owned, piece, points.NumbersOfPiece().size(),
+  ForArrays(owned, piece, points.NumberOfPoints(),
     [&ranks, &points](const auto* values, int width, auto* rows)
     { points.ToPiece(ranks, values, width, rows); });
 }

@@ -73,6 +73,9 @@ public:
     return std::string(text.begin(), text.end());
   }
 
+  /// What was not taken yet.
+  const char* Rest() const { return this->Bytes_.data() + this->At_; }
+
 private:
   const Bytes& Bytes_;
   std::size_t At_ = 0;

@@ -24,7 +24,7 @@ std::vector<std::int64_t> NumbersByPieces(Ranks& ranks, const SharedPoints& poin
   }
   std::vector<std::vector<std::uint8_t>> isOurs = isFirst;
   isOurs = ExchangeValues(ranks, std::move(isOurs));
-  std::vector<std::int64_t> numbers(points.NumbersOfPiece().size(), -1);
+  std::vector<std::int64_t> numbers(points.NumberOfPoints(), -1);
   for (std::size_t rank = 0; rank < sent.size(); ++rank)
   {
     for (std::size_t i = 0; i < sent[rank].size(); ++i)

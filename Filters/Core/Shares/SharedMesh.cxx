@@ -100,10 +100,11 @@ void SharedMesh::SendTriangles(Ranks& ranks, const MeshPiece& piece)
   const std::size_t expected = 2 * static_cast<std::size_t>(this->NumberOfOwned()) * 17 / 16;
   this->Triangles_.reserve(expected);
   this->TriangleNumbers_.reserve(expected);
+  const std::vector<std::int64_t> numbers = this->Points_.NumbersOfPiece(ranks);
   const std::int64_t count = piece.triangles.size();
   for (std::int64_t begin = 0; begin < most; begin += atATime)
   {
-    this->SendSome(ranks, piece, static_cast<Id>(std::min(begin, count)),
+    this->SendSome(ranks, piece, numbers, static_cast<Id>(std::min(begin, count)),
       static_cast<Id>(std::min(begin + atATime, count)), first);
   }
   std::vector<Triangle> triangles;
@@ -112,11 +113,11 @@ void SharedMesh::SendTriangles(Ranks& ranks, const MeshPiece& piece)
     this->Points_.Owned().data(), this->NumberOfPoints(), triangles, TriangleMesh::Edges::NotBuilt);
 }
 
-/// The triangles from `begin` to `end`; the first of the piece has the number `first`.
-void SharedMesh::SendSome(
-  Ranks& ranks, const MeshPiece& piece, Id begin, Id end, std::int64_t first)
+/// The triangles from `begin` to `end`; the first of the piece has the number `first`, and its
+/// points have `numbers`.
+void SharedMesh::SendSome(Ranks& ranks, const MeshPiece& piece,
+  const std::vector<std::int64_t>& numbers, Id begin, Id end, std::int64_t first)
 {
-  const std::vector<std::int64_t>& numbers = this->Points_.NumbersOfPiece();
   std::vector<MeshPatch> patches(ranks.Size());
   for (Id t = begin; t < end; ++t)
   {

@@ -74,7 +74,8 @@ private:
   friend class MeshShare;
 
   void SendTriangles(Ranks& ranks, const MeshPiece& piece);
-  void SendSome(Ranks& ranks, const MeshPiece& piece, Id begin, Id end, std::int64_t first);
+  void SendSome(Ranks& ranks, const MeshPiece& piece, const std::vector<std::int64_t>& numbers,
+    Id begin, Id end, std::int64_t first);
   void RankCoincident(Ranks& ranks);
   MeshPatch PatchAround(const std::vector<Id>& owned) const;
   std::vector<Id> Take(const MeshPatch& patch);

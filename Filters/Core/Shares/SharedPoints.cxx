@@ -10,6 +10,7 @@
 #include <array>
 #include <cstdio>
 #include <map>
+#include <numeric>
 #include <set>
 #include <tuple>
 #include <utility>
@@ -254,14 +255,24 @@ std::string SharedPoints::Share(Ranks& ranks, const MeshPiece& piece)
     return faults;
   }
   this->Number(ranks, arrivals, this->ReceivedFrom_);
-
-  std::vector<std::int64_t> numbers(this->NumberOfOwned());
-  for (std::size_t p = 0; p < numbers.size(); ++p)
-  {
-    numbers[p] = this->First_[ranks.Rank()] + static_cast<std::int64_t>(p);
-  }
-  this->NumbersOfPiece_ = this->ToPiece(ranks, numbers.data(), 1);
   return {};
+}
+
+std::vector<std::int64_t> SharedPoints::NumbersOfPiece(Ranks& ranks) const
+{
+  std::vector<std::int64_t> numbers(this->NumberOfOwned());
+  std::iota(numbers.begin(), numbers.end(), this->First_[ranks.Rank()]);
+  return this->ToPiece(ranks, numbers.data(), 1);
+}
+
+Id SharedPoints::NumberOfPoints() const
+{
+  Id count = 0;
+  for (const std::vector<Id>& sent : this->SentTo_)
+  {
+    count += static_cast<Id>(sent.size());
+  }
+  return count;
 }
 
 namespace
@@ -366,7 +377,6 @@ void SharedPoints::TakeWhole(std::vector<double> positions, std::vector<Id> coin
   this->Owned_ = std::move(positions);
   this->Coincident_ = std::move(coincident);
   this->First_ = { 0, this->NumberOfOwned() };
-  this->NumbersOfPiece_.clear();
   this->SentTo_.assign(1, {});
   this->ReceivedFrom_.assign(1, {});
 }

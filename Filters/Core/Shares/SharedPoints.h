@@ -55,8 +55,11 @@ public:
   /// Takes points that are all on one rank.
   void TakeWhole(std::vector<double> positions, std::vector<Id> coincident);
 
-  /// The numbers of the points of this rank's piece.
-  const std::vector<std::int64_t>& NumbersOfPiece() const { return this->NumbersOfPiece_; }
+  /// Of this rank's piece.
+  Id NumberOfPoints() const;
+
+  /// The numbers of the points of the piece. All ranks have to call this.
+  std::vector<std::int64_t> NumbersOfPiece(Ranks& ranks) const;
 
   /// Points of the piece by the rank that owns them.
   const std::vector<std::vector<Id>>& SentTo() const { return this->SentTo_; }
@@ -84,7 +87,6 @@ private:
   std::vector<double> Owned_;
   std::vector<Id> Coincident_;
   std::vector<std::int64_t> First_;
-  std::vector<std::int64_t> NumbersOfPiece_;
   std::vector<std::vector<Id>> SentTo_;       ///< Points of the piece, by owner.
   std::vector<std::vector<Id>> ReceivedFrom_; ///< Which owned points those of other pieces are.
 };
