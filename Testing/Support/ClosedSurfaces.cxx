@@ -150,9 +150,12 @@ ClosedSurface Metaballs(std::uint64_t seed)
   for (int i = 0; i < 5; ++i)
   {
     balls.emplace_back(generator, center);
-    // Near enough for one component.
-    center += Vector3d(
-      Between(generator, 0.2, 0.8), Between(generator, -0.3, 0.8), Between(generator, -0.5, 0.6));
+    // Near enough for one component. One after the other: compilers differ in the order of
+    // arguments.
+    const double z = Between(generator, -0.5, 0.6);
+    const double y = Between(generator, -0.3, 0.8);
+    const double x = Between(generator, 0.2, 0.8);
+    center += Vector3d(x, y, z);
   }
   return { "metaballs",
     AnalyticSurface(
