@@ -4,6 +4,7 @@
 
 #include "Core/Ridges/Patch/PatchRidges.h"
 #include "Core/Ridges/SmallLoops.h"
+#include "Core/Ridges/TypeErrors.h"
 #include "Core/Ridges/TypeRuns.h"
 #include "Core/Umbilics/UmbilicForm.h"
 #include "vtkRidgesBatches.h"
@@ -108,31 +109,45 @@ struct TraceRidges
   const ridges::RidgeCrossings& crossings;
   ridges::TypeRule rule;
   const ridges::UmbilicLookup& umbilics;
-  double shortestRun;
-  double typeSignificance;
-  const ridges::TypeErrors& typeErrors;
-  bool measuresTypes;
   std::vector<ridges::RidgeTrace>& traces;
 
   void operator()(vtkIdType begin, vtkIdType end)
   {
     for (vtkIdType i = begin; i < end; ++i)
     {
-      ridges::RidgeTrace& trace = this->traces[i];
-      trace = ridges::TraceRidge(
+      this->traces[i] = ridges::TraceRidge(
         this->ridges[i], this->segments, this->paths, this->crossings, this->rule, this->umbilics);
       this->ridges[i] = ridges::Ridge();
-      ridges::MakeCanonical(this->crossings.Mesh(), trace);
+      ridges::MakeCanonical(this->crossings.Mesh(), this->traces[i]);
+    }
+  }
+};
+
+/// Decides where the type of a ridge changes, of each ridge for itself.
+struct DecideTypesOfRidges
+{
+  std::vector<ridges::RidgeTrace>& traces;
+  const ridges::TriangleMesh& mesh;
+  const ridges::TypeErrors& typeErrors;
+  double typeSignificance;
+  double shortestRun;
+  bool measuresTypes;
+
+  void operator()(vtkIdType begin, vtkIdType end)
+  {
+    for (vtkIdType i = begin; i < end; ++i)
+    {
+      ridges::RidgeTrace& trace = this->traces[i];
       // After it, the start of a loop may not be that of a run any more.
       if (this->typeSignificance > 0.0)
       {
         ridges::AbsorbInsignificantRuns(trace, this->typeErrors, this->typeSignificance);
-        ridges::MakeCanonical(this->crossings.Mesh(), trace);
+        ridges::MakeCanonical(this->mesh, trace);
       }
       if (this->shortestRun > 0.0)
       {
         ridges::AbsorbShortRuns(trace, this->shortestRun);
-        ridges::MakeCanonical(this->crossings.Mesh(), trace);
+        ridges::MakeCanonical(this->mesh, trace);
       }
       if (this->measuresTypes)
       {
@@ -152,7 +167,6 @@ vtkRidgesSearch::vtkRidgesSearch(
   , Mesh(monge.mesh)
   , Field(monge.arrays.GetField())
   , Errors(monge.arrays.GetErrors())
-  , TypeErrors(monge.mesh.GetTriangles(), this->Field, this->Errors)
   , Umbilics(umbilics)
 {
 }
@@ -297,14 +311,13 @@ bool vtkRidgesSearch::Trace(vtkAlgorithm* filter, double from, double to,
   std::vector<ridges::RidgeTrace>& found) const
 {
   const ridges::UmbilicLookup lookup = this->MakeLookup();
-  const bool byP = this->TypeRule == ridges::TypeRule::FourthOrder &&
-    this->ExtremalityRule == ridges::ExtremalityRule::Principal;
   found.resize(whole.size());
   TraceRidges trace{ whole, pieces.segments, pieces.paths, crossings, this->TypeRule, lookup,
-    this->ShortestRun, byP ? this->TypeSignificance : 0.0, this->TypeErrors, this->MeasuresTypes,
     found };
+  const double middle = 0.5 * (from + to);
   if (!vtkRidgesForSizedBatches(
-        filter, static_cast<vtkIdType>(whole.size()), from, to, trace, SizeOf{ whole }))
+        filter, static_cast<vtkIdType>(whole.size()), from, middle, trace, SizeOf{ whole }) ||
+    !this->DecideTypes(filter, middle, to, found))
   {
     return false;
   }
@@ -313,4 +326,34 @@ bool vtkRidgesSearch::Trace(vtkAlgorithm* filter, double from, double to,
     [&mesh](const ridges::RidgeTrace& a, const ridges::RidgeTrace& b)
     { return ridges::ComesBefore(mesh, a, b); });
   return true;
+}
+
+bool vtkRidgesSearch::DecideTypes(
+  vtkAlgorithm* filter, double from, double to, std::vector<ridges::RidgeTrace>& found) const
+{
+  const bool byP = this->TypeRule == ridges::TypeRule::FourthOrder &&
+    this->ExtremalityRule == ridges::ExtremalityRule::Principal;
+  const double significance = byP ? this->TypeSignificance : 0.0;
+  const ridges::TriangleMesh& mesh = this->Mesh.GetTriangles();
+  ridges::TypeErrors errors(mesh, this->Field, this->Errors);
+  const double middle = 0.5 * (from + to);
+  if (significance > 0.0 || this->MeasuresTypes)
+  {
+    for (const ridges::RidgeTrace& trace : found)
+    {
+      errors.Require(trace);
+    }
+    const auto find = [&errors](vtkIdType begin, vtkIdType end)
+    { errors.Find(static_cast<ridges::Id>(begin), static_cast<ridges::Id>(end)); };
+    if (!vtkRidgesForBatches(filter, mesh.NumberOfPoints(), from, middle, find))
+    {
+      return false;
+    }
+  }
+  DecideTypesOfRidges decide{ found, mesh, errors, significance, this->ShortestRun,
+    this->MeasuresTypes };
+  const auto sizeOf = [&found](vtkIdType i)
+  { return static_cast<vtkIdType>(found[i].vertices.size()); };
+  return vtkRidgesForSizedBatches(
+    filter, static_cast<vtkIdType>(found.size()), middle, to, decide, sizeOf);
 }

