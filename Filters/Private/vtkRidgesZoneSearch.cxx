@@ -7,6 +7,7 @@
 #include "Core/Ridges/ZoneDoubt.h"
 #include "vtkRidgesBatches.h"
 #include "vtkRidgesMongeInput.h"
+#include "vtkRidgesMonitor.h"
 #include "vtkRidgesPerThread.h"
 
 #include "vtkPolyData.h"
@@ -101,12 +102,14 @@ bool vtkRidgesZoneSearch::Run(vtkAlgorithm* filter, double from, double to,
     }
     return true;
   }
-  if (!this->JudgePoints(filter, from, to))
+  const double middle = 0.5 * (from + to);
+  const ridges::TriangleMesh& mesh = this->Monge.mesh.GetTriangles();
+  ridges::RidgeZones zones(mesh);
+  if (!this->JudgePoints(filter, from, middle) ||
+    !zones.Find(this->Errors.Verdicts(), vtkRidgesMonitor(filter, middle, to)))
   {
     return false;
   }
-  const ridges::TriangleMesh& mesh = this->Monge.mesh.GetTriangles();
-  ridges::RidgeZones zones(mesh, this->Errors.Verdicts());
   const auto inZones = [&zones, &mesh, &whole, &segments, &paths]
   { return ridges::RidgesInZones(zones, mesh, whole, segments, paths); };
   std::vector<std::uint8_t> isLeftOut = inZones();

@@ -31,20 +31,46 @@ void ForNeighbors(const TriangleMesh& mesh, Id p, const Visit& visit)
 
 } // namespace
 
-RidgeZones::RidgeZones(const TriangleMesh& mesh, const std::vector<Verdict>& verdicts)
+RidgeZones::RidgeZones(const TriangleMesh& mesh)
   : Mesh_(mesh)
   , RegionOf_(mesh.NumberOfPoints(), NoRegion)
 {
-  // Where no region may be, or one has been found.
-  std::vector<std::uint8_t> isTaken = this->NearOthers(verdicts);
-  std::vector<Id> sizes; // of the part of the mesh that each point is in
-  for (Id first = 0; first < mesh.NumberOfPoints(); ++first)
+}
+
+bool RidgeZones::Find(const std::vector<Verdict>& verdicts, const Monitor& monitor)
+{
+  const std::vector<Id> others = this->Others(verdicts);
+  if (!monitor(0.3))
   {
-    if (isTaken[first] || mesh.TrianglesAround(first).size() == 0)
+    return false;
+  }
+  std::vector<std::uint8_t> isNear = this->NearOnes(others);
+  return monitor(0.6) && this->FindRegions(verdicts, isNear, monitor);
+}
+
+/// Outside of what is taken, which afterwards is everything.
+bool RidgeZones::FindRegions(
+  const std::vector<Verdict>& verdicts, std::vector<std::uint8_t>& isTaken, const Monitor& monitor)
+{
+  std::vector<Id> sizes; // of the part of the mesh that each point is in
+  constexpr std::size_t atATime = 1 << 18;
+  std::size_t seen = 0; // points in regions, since the monitor was told
+  for (Id first = 0; first < this->Mesh_.NumberOfPoints(); ++first)
+  {
+    if (seen > atATime)
+    {
+      seen = 0;
+      if (!monitor(0.6 + 0.4 * first / this->Mesh_.NumberOfPoints()))
+      {
+        return false;
+      }
+    }
+    if (isTaken[first] || this->Mesh_.TrianglesAround(first).size() == 0)
     {
       continue;
     }
     std::vector<Id> region = this->RegionFrom(first, isTaken);
+    seen += region.size();
     const auto count = [&region, &verdicts](Verdict verdict)
     {
       return static_cast<std::size_t>(std::count_if(region.begin(), region.end(),
@@ -78,6 +104,7 @@ RidgeZones::RidgeZones(const TriangleMesh& mesh, const std::vector<Verdict>& ver
       this->IsWhole_.push_back(isWhole ? 1 : 0);
     }
   }
+  return monitor(1.0);
 }
 
 std::vector<Id> RidgeZones::SizesOfParts() const
@@ -137,11 +164,10 @@ std::vector<Id> RidgeZones::Others(const std::vector<Verdict>& verdicts) const
   return others;
 }
 
-/// Points within the margin of such, by layers of neighbours.
-std::vector<std::uint8_t> RidgeZones::NearOthers(const std::vector<Verdict>& verdicts) const
+/// Points within the margin of these, by layers of neighbours.
+std::vector<std::uint8_t> RidgeZones::NearOnes(std::vector<Id> layer) const
 {
-  std::vector<std::uint8_t> isNear(verdicts.size(), 0);
-  std::vector<Id> layer = this->Others(verdicts);
+  std::vector<std::uint8_t> isNear(this->Mesh_.NumberOfPoints(), 0);
   for (const Id p : layer)
   {
     isNear[p] = 1;

@@ -3,6 +3,7 @@
 #ifndef ridges_RidgeZones_h
 #define ridges_RidgeZones_h
 
+#include "Base/Monitor.h"
 #include "Ridges/ExtremalityErrors.h"
 #include "Ridges/RidgeAssembly.h"
 
@@ -38,7 +39,11 @@ public:
   /// Of points at which the extremality is round-off a few are enough.
   static constexpr std::size_t LeastRoundOff = 8;
 
-  RidgeZones(const TriangleMesh& mesh, const std::vector<ExtremalityErrors::Verdict>& verdicts);
+  explicit RidgeZones(const TriangleMesh& mesh);
+
+  /// By the verdict on each point. False if the monitor stopped it.
+  bool Find(
+    const std::vector<ExtremalityErrors::Verdict>& verdicts, const Monitor& monitor = NeverStops);
 
   /// The points of each region; none of one that was removed.
   const std::vector<std::vector<Id>>& Regions() const { return this->Regions_; }
@@ -60,8 +65,9 @@ public:
 
 private:
   std::vector<Id> Others(const std::vector<ExtremalityErrors::Verdict>& verdicts) const;
-  std::vector<std::uint8_t> NearOthers(
-    const std::vector<ExtremalityErrors::Verdict>& verdicts) const;
+  std::vector<std::uint8_t> NearOnes(std::vector<Id> layer) const;
+  bool FindRegions(const std::vector<ExtremalityErrors::Verdict>& verdicts,
+    std::vector<std::uint8_t>& isTaken, const Monitor& monitor);
   std::vector<Id> SizesOfParts() const;
   std::vector<Id> RegionFrom(Id first, std::vector<std::uint8_t>& isTaken) const;
 

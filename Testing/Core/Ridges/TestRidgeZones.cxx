@@ -16,6 +16,13 @@ using namespace ridges;
 using namespace ridges::testing;
 using Verdict = ExtremalityErrors::Verdict;
 
+RidgeZones ZonesOf(const TriangleMesh& mesh, const std::vector<Verdict>& verdicts)
+{
+  RidgeZones zones(mesh);
+  EXPECT_TRUE(zones.Find(verdicts));
+  return zones;
+}
+
 class RidgeZonesOnGrid : public ::testing::Test
 {
 protected:
@@ -29,6 +36,8 @@ protected:
 
   Eigen::Vector3d At(Id p) const { return this->Mesh.Point(p); }
 
+  RidgeZones Zones() const { return ZonesOf(this->Mesh, this->Verdicts); }
+
   MeshedSurface Surface;
   const TriangleMesh& Mesh;
   std::vector<Verdict> Verdicts;
@@ -39,7 +48,7 @@ protected:
 //------------------------------------------------------------------------------
 TEST_F(RidgeZonesOnGrid, InsignificantMeshIsOneZone)
 {
-  const RidgeZones zones(Mesh, Verdicts);
+  const RidgeZones zones = Zones();
   ASSERT_EQ(zones.Regions().size(), 1u);
   EXPECT_EQ(static_cast<Id>(zones.Regions()[0].size()), Mesh.NumberOfPoints());
   EXPECT_FALSE(zones.IsRoundOff(0));
@@ -59,12 +68,12 @@ TEST_F(RidgeZonesOnGrid, ZonesKeepAwayFromWhatIsSignificantOrUnresolved)
     Verdicts[center] = other;
     if (other == Verdict::Unresolved)
     {
-      EXPECT_EQ(static_cast<Id>(RidgeZones(Mesh, Verdicts).Regions()[0].size()),
+      EXPECT_EQ(static_cast<Id>(Zones().Regions()[0].size()),
         Mesh.NumberOfPoints()); // one is too few
       static_assert(RidgeZones::LeastUnresolved == 4, "three more to the left");
       std::fill_n(Verdicts.begin() + center - 3, 3, other);
     }
-    const RidgeZones zones(Mesh, Verdicts);
+    const RidgeZones zones = Zones();
     ASSERT_EQ(zones.Regions().size(), 1u);
     for (Id p = 0; p < Mesh.NumberOfPoints(); ++p)
     {
@@ -88,12 +97,12 @@ TEST_F(RidgeZonesOnGrid, FaintPlacesCountWithSignificantOnesAmongThem)
   {
     Verdicts[p] = std::abs(At(p).x()) < 0.5 ? Verdict::Faint : Verdict::Insignificant;
   }
-  const RidgeZones whole(Mesh, Verdicts);
+  const RidgeZones whole = Zones();
   ASSERT_EQ(whole.Regions().size(), 1u);
   EXPECT_EQ(static_cast<Id>(whole.Regions()[0].size()), Mesh.NumberOfPoints());
 
   Verdicts[840] = Verdict::Significant;
-  const RidgeZones zones(Mesh, Verdicts);
+  const RidgeZones zones = Zones();
   for (Id p = 0; p < Mesh.NumberOfPoints(); ++p)
   {
     if (std::abs(At(p).x()) < 0.5)
@@ -115,15 +124,15 @@ TEST_F(RidgeZonesOnGrid, ZonesNeedPointsAndAShareOfTheMesh)
     }
   };
   setStrip(-0.15);
-  EXPECT_EQ(RidgeZones(Mesh, Verdicts).Regions().size(), 2u);
+  EXPECT_EQ(Zones().Regions().size(), 2u);
   setStrip(-0.5);
-  EXPECT_EQ(RidgeZones(Mesh, Verdicts).Regions().size(), 1u);
+  EXPECT_EQ(Zones().Regions().size(), 1u);
   // What is round-off does not need them.
   for (Id p = 0; p < Mesh.NumberOfPoints(); ++p)
   {
     Verdicts[p] = At(p).x() < -0.6 ? Verdict::RoundOff : Verdicts[p];
   }
-  const RidgeZones zones(Mesh, Verdicts);
+  const RidgeZones zones = Zones();
   ASSERT_EQ(zones.Regions().size(), 2u);
   EXPECT_NE(zones.IsRoundOff(0), zones.IsRoundOff(1));
 }
@@ -133,9 +142,9 @@ TEST_F(RidgeZonesOnGrid, UnknownPointsAreNoEvidence)
 {
   std::fill(Verdicts.begin(), Verdicts.end(), Verdict::Unknown);
   Verdicts.back() = Verdict::Significant;
-  EXPECT_TRUE(RidgeZones(Mesh, Verdicts).Regions().empty());
+  EXPECT_TRUE(Zones().Regions().empty());
   std::fill_n(Verdicts.begin(), RidgeZones::LeastPoints, Verdict::Insignificant);
-  EXPECT_EQ(RidgeZones(Mesh, Verdicts).Regions().size(), 1u);
+  EXPECT_EQ(Zones().Regions().size(), 1u);
 }
 
 //------------------------------------------------------------------------------
@@ -143,9 +152,9 @@ TEST_F(RidgeZonesOnGrid, UnknownPointsAreNoEvidence)
 TEST_F(RidgeZonesOnGrid, MeshWithoutAnythingSignificantIsAZone)
 {
   std::fill(Verdicts.begin(), Verdicts.end(), Verdict::Unknown);
-  EXPECT_EQ(RidgeZones(Mesh, Verdicts).Regions().size(), 1u);
+  EXPECT_EQ(Zones().Regions().size(), 1u);
   std::fill(Verdicts.end() - RidgeZones::LeastUnresolved, Verdicts.end(), Verdict::Unresolved);
-  EXPECT_TRUE(RidgeZones(Mesh, Verdicts).Regions().empty());
+  EXPECT_TRUE(Zones().Regions().empty());
 }
 
 //------------------------------------------------------------------------------
@@ -156,9 +165,9 @@ TEST(RidgeZones, SmallMeshesAreZonesAsAWhole)
   ASSERT_LT(count, RidgeZones::LeastPoints);
   std::vector<Verdict> verdicts(count, Verdict::Unknown);
   std::fill_n(verdicts.begin(), RidgeZones::LeastPointsOfWhole - 1, Verdict::Insignificant);
-  EXPECT_TRUE(RidgeZones(surface.Triangles(), verdicts).Regions().empty());
+  EXPECT_TRUE(ZonesOf(surface.Triangles(), verdicts).Regions().empty());
   std::fill_n(verdicts.begin(), RidgeZones::LeastPointsOfWhole, Verdict::Insignificant);
-  EXPECT_EQ(RidgeZones(surface.Triangles(), verdicts).Regions().size(), 1u);
+  EXPECT_EQ(ZonesOf(surface.Triangles(), verdicts).Regions().size(), 1u);
 }
 
 //------------------------------------------------------------------------------
@@ -169,7 +178,7 @@ TEST_F(RidgeZonesOnGrid, UmbilicsKeepAllRidgesOfAColorOrNone)
   {
     Verdicts[p] = At(p).x() > 0.6 ? Verdict::Significant : Verdict::Insignificant;
   }
-  const RidgeZones zones(Mesh, Verdicts);
+  const RidgeZones zones = Zones();
   ASSERT_EQ(zones.Regions().size(), 1u);
   std::vector<Id> inside;
   std::vector<Id> outside;
@@ -196,7 +205,7 @@ TEST_F(RidgeZonesOnGrid, UmbilicsKeepAllRidgesOfAColorOrNone)
 //------------------------------------------------------------------------------
 TEST_F(RidgeZonesOnGrid, SampleHasPointsDeepInsideOnly)
 {
-  const RidgeZones zones(Mesh, Verdicts);
+  const RidgeZones zones = Zones();
   const auto isDeep = [this](Id p) { return At(p).lpNorm<Eigen::Infinity>() < 0.8; };
   const std::vector<Id> sample = SampleOf(Mesh, zones.Regions()[0], isDeep);
   EXPECT_GE(sample.size(), 8u);

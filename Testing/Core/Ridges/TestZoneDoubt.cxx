@@ -152,7 +152,8 @@ TEST_F(ZoneDoubtOnGrid, IsNeverWrong)
       const double y = place(random);
       this->Set(verdict, x, y, width(random));
     }
-    const RidgeZones zones(this->Mesh, this->Verdicts);
+    RidgeZones zones(this->Mesh);
+    ASSERT_TRUE(zones.Find(this->Verdicts));
     for (int k = 0; k < 10; ++k)
     {
       const double x = place(random);
