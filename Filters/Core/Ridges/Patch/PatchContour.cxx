@@ -5,6 +5,7 @@
 #include "Mesh/PositionOrder.h"
 
 #include <algorithm>
+#include <unordered_map>
 
 namespace ridges
 {
@@ -28,21 +29,30 @@ PatchContour::PatchContour(const TriangleMesh& mesh, const std::vector<Id>& tria
 Id PatchContour::Across(Id triangle, Id edge) const
 {
   const int side = this->Mesh_.SideOf(triangle, edge);
-  return (this->Glued_.at(triangle) >> side & 1U) != 0 ? this->Mesh_.Neighbor(triangle, side) : -1;
+  return this->Find(triangle)->Has(side) ? this->Mesh_.Neighbor(triangle, side) : -1;
+}
+
+const PatchContour::Glued* PatchContour::Find(Id triangle) const
+{
+  const auto found =
+    std::lower_bound(this->Glued_.begin(), this->Glued_.end(), Glued{ triangle, 0U });
+  return found != this->Glued_.end() && found->triangle == triangle ? &*found : nullptr;
 }
 
 void PatchContour::GlueAll(const std::vector<Id>& triangles)
 {
+  this->Glued_.reserve(triangles.size());
   for (const Id t : triangles)
   {
-    this->Glued_[t] = 0;
+    this->Glued_.push_back({ t, 0U });
   }
-  for (auto& glued : this->Glued_)
+  std::sort(this->Glued_.begin(), this->Glued_.end());
+  for (Glued& glued : this->Glued_)
   {
     for (int side = 0; side < 3; ++side)
     {
-      const Id neighbor = this->Mesh_.Neighbor(glued.first, side);
-      glued.second |= neighbor >= 0 && this->Contains(neighbor) ? 1U << side : 0U;
+      const Id neighbor = this->Mesh_.Neighbor(glued.triangle, side);
+      glued.sides |= neighbor >= 0 && this->Contains(neighbor) ? 1U << side : 0U;
     }
   }
 }
@@ -63,44 +73,54 @@ void PatchContour::GlueTree(Id root)
       }
     }
   }
-  this->Glued_ = std::move(tree);
+  this->Glued_.clear();
+  for (const auto& [triangle, sides] : tree)
+  {
+    this->Glued_.push_back({ triangle, sides });
+  }
+  std::sort(this->Glued_.begin(), this->Glued_.end());
 }
 
 std::size_t PatchContour::NumberOfSides() const
 {
   std::size_t count = 0;
-  for (const auto& glued : this->Glued_)
+  for (const Glued& glued : this->Glued_)
   {
     for (int side = 0; side < 3; ++side)
     {
-      count += (glued.second >> side & 1U) == 0 ? 1 : 0;
+      count += glued.Has(side) ? 0 : 1;
     }
   }
   return count;
 }
 
-// From a place that depends neither on a hash table nor on the numbering.
+// From a place that does not depend on the numbering.
 bool PatchContour::FindStart(Place& start) const
 {
   start.triangle = -1;
   Eigen::Vector3d least;
-  for (const auto& glued : this->Glued_)
+  for (const Glued& glued : this->Glued_)
   {
-    const Triangle& corners = this->Mesh_.Corners(glued.first);
+    const Triangle& corners = this->Mesh_.Corners(glued.triangle);
     for (int side = 0; side < 3; ++side)
     {
+      if (glued.Has(side))
+      {
+        continue;
+      }
       const Eigen::Vector3d middle =
         this->Mesh_.Point(corners[side]) + this->Mesh_.Point(corners[(side + 1) % 3]);
       // An edge that is cut has two triangles, and sides of one have one middle where points
       // coincide.
       const bool comesFirst = start.triangle < 0 || ComesBefore(middle, least) ||
         (middle == least &&
-          (glued.first != start.triangle
-              ? ComesBefore(this->Mesh_, glued.first, start.triangle)
+          (glued.triangle != start.triangle
+              ? ComesBefore(this->Mesh_, glued.triangle, start.triangle)
               : PointComesBefore(this->Mesh_, corners[(side + 1) % 3], start.end)));
-      if ((glued.second >> side & 1U) == 0 && comesFirst)
+      if (comesFirst)
       {
-        start = { glued.first, this->Mesh_.EdgeOf(glued.first, side), corners[(side + 1) % 3] };
+        start = { glued.triangle, this->Mesh_.EdgeOf(glued.triangle, side),
+          corners[(side + 1) % 3] };
         least = middle;
       }
     }

@@ -5,8 +5,6 @@
 
 #include "Mesh/TriangleMesh.h"
 
-#include <unordered_map>
-
 namespace ridges
 {
 
@@ -33,7 +31,7 @@ public:
 
   const std::vector<Side>& Sides() const { return this->Sides_; }
 
-  bool Contains(Id triangle) const { return this->Glued_.count(triangle) > 0; }
+  bool Contains(Id triangle) const { return this->Find(triangle) != nullptr; }
 
   /// The triangle across one of the edges of a triangle that it is glued to, or -1.
   Id Across(Id triangle, Id edge) const;
@@ -47,6 +45,17 @@ private:
     Id end = -1;
   };
 
+  /// A triangle inside, with a bit for each side that is glued.
+  struct Glued
+  {
+    Id triangle;
+    unsigned sides;
+    bool Has(int side) const { return (this->sides >> side & 1U) != 0; }
+    bool operator<(const Glued& other) const { return this->triangle < other.triangle; }
+  };
+
+  /// Null outside.
+  const Glued* Find(Id triangle) const;
   void GlueAll(const std::vector<Id>& triangles);
   void GlueTree(Id root);
   std::size_t NumberOfSides() const;
@@ -57,7 +66,7 @@ private:
   Side Advance(Place& place) const;
 
   const TriangleMesh& Mesh_;
-  std::unordered_map<Id, unsigned> Glued_; ///< A bit for each side of a triangle.
+  std::vector<Glued> Glued_; ///< By triangle.
   std::vector<Side> Sides_;
 };
 
