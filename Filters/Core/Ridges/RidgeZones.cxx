@@ -300,7 +300,7 @@ std::vector<std::uint8_t> RidgesInZones(const RidgeZones& zones, const TriangleM
       std::all_of(ridge.segments.begin(), ridge.segments.end(), isSegmentInside);
   };
   std::vector<std::uint8_t> isLeftOut(ridges.size(), 0);
-  std::map<Id, std::vector<std::size_t>> ridgesAt; // by umbilic
+  std::map<Id, std::vector<std::size_t>> leftOutAt; // by umbilic
   std::vector<std::size_t> kept;
   for (std::size_t i = 0; i < ridges.size(); ++i)
   {
@@ -308,22 +308,23 @@ std::vector<std::uint8_t> RidgesInZones(const RidgeZones& zones, const TriangleM
     if (!isLeftOut[i])
     {
       kept.push_back(i);
+      continue;
     }
     for (const Id node : { ridges[i].nodes.front(), ridges[i].nodes.back() })
     {
       if (Ridge::IsUmbilic(node))
       {
-        ridgesAt[node].push_back(i);
+        leftOutAt[node].push_back(i);
       }
     }
   }
   // What is kept keeps what it is connected to.
-  for (std::size_t i = 0; i < kept.size(); ++i)
+  for (std::size_t i = 0; i < kept.size() && !leftOutAt.empty(); ++i)
   {
     for (const Id node : { ridges[kept[i]].nodes.front(), ridges[kept[i]].nodes.back() })
     {
-      const auto at = ridgesAt.find(node);
-      for (std::size_t j = 0; at != ridgesAt.end() && j < at->second.size(); ++j)
+      const auto at = leftOutAt.find(node);
+      for (std::size_t j = 0; at != leftOutAt.end() && j < at->second.size(); ++j)
       {
         const std::size_t other = at->second[j];
         if (isLeftOut[other])
