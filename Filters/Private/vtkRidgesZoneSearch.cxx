@@ -102,22 +102,30 @@ bool vtkRidgesZoneSearch::Run(vtkAlgorithm* filter, double from, double to,
     }
     return true;
   }
-  const double middle = 0.5 * (from + to);
+  const double judged = from + 0.4 * (to - from);
+  const double grown = from + 0.7 * (to - from);
   const ridges::TriangleMesh& mesh = this->Monge.mesh.GetTriangles();
   ridges::RidgeZones zones(mesh);
-  if (!this->JudgePoints(filter, from, middle) ||
-    !zones.Find(this->Errors.Verdicts(), vtkRidgesMonitor(filter, middle, to)))
+  if (!this->JudgePoints(filter, from, judged) ||
+    !zones.Find(this->Errors.Verdicts(), vtkRidgesMonitor(filter, judged, grown)))
   {
     return false;
   }
   const auto inZones = [&zones, &mesh, &whole, &segments, &paths]
   { return ridges::RidgesInZones(zones, mesh, whole, segments, paths); };
   std::vector<std::uint8_t> isLeftOut = inZones();
-  if (this->RemoveResolved(zones, RegionsOf(zones, mesh, whole, isLeftOut)))
+  std::vector<std::size_t> regions = RegionsOf(zones, mesh, whole, isLeftOut);
+  bool isAnyRemoved = false;
+  if (!this->RemoveResolved(filter, grown, to, zones, regions, isAnyRemoved))
+  {
+    return false;
+  }
+  if (isAnyRemoved)
   {
     isLeftOut = inZones();
+    regions = RegionsOf(zones, mesh, whole, isLeftOut);
   }
-  for (const std::size_t region : RegionsOf(zones, mesh, whole, isLeftOut))
+  for (const std::size_t region : regions)
   {
     found.triangles.push_back(zones.TrianglesOf(region));
   }
@@ -180,31 +188,40 @@ bool vtkRidgesZoneSearch::JudgePoints(vtkAlgorithm* filter, double from, double 
     vtkRidgesForBatches(filter, count, from + 2.0 * step, to, judge);
 }
 
-/// Regions where noise only hides ridges are no zones. Whether there were any.
-bool vtkRidgesZoneSearch::RemoveResolved(
-  ridges::RidgeZones& zones, const std::vector<std::size_t>& regions) const
+/// Regions where noise only hides ridges are no zones.
+bool vtkRidgesZoneSearch::RemoveResolved(vtkAlgorithm* filter, double from, double to,
+  ridges::RidgeZones& zones, const std::vector<std::size_t>& regions, bool& isAnyRemoved) const
 {
   const ridges::FitErrorSource& errors = this->Monge.arrays.GetErrors();
   if (regions.empty() || !errors.fitResidual || !errors.fitScale)
   {
-    return false;
+    return true;
   }
   const ridges::TriangleMesh& mesh = this->Monge.mesh.GetTriangles();
   ridges::OrderedRings rings(mesh);
-  vtkSMPTools::For(0, mesh.NumberOfPoints(),
-    [&rings](vtkIdType begin, vtkIdType end)
-    { rings.Build(static_cast<ridges::Id>(begin), static_cast<ridges::Id>(end)); });
-  bool any = false;
-  for (const std::size_t region : regions)
+  const auto build = [&rings](vtkIdType begin, vtkIdType end)
+  { rings.Build(static_cast<ridges::Id>(begin), static_cast<ridges::Id>(end)); };
+  const double middle = 0.5 * (from + to);
+  if (!vtkRidgesForBatches(filter, mesh.NumberOfPoints(), from, middle, build))
   {
-    if (!zones.IsRoundOff(region) &&
-      (this->ShowsAsAWhole(zones, region) || this->ShowsOnLargerScale(zones, region, rings)))
+    return false;
+  }
+  const ridges::Monitor monitor = vtkRidgesMonitor(filter, middle, to);
+  for (std::size_t i = 0; i < regions.size(); ++i)
+  {
+    if (!zones.IsRoundOff(regions[i]) &&
+      (this->ShowsAsAWhole(zones, regions[i]) ||
+        this->ShowsOnLargerScale(zones, regions[i], rings)))
     {
-      zones.Remove(region);
-      any = true;
+      zones.Remove(regions[i]);
+      isAnyRemoved = true;
+    }
+    if (!monitor(static_cast<double>(i + 1) / static_cast<double>(regions.size())))
+    {
+      return false;
     }
   }
-  return any;
+  return true;
 }
 
 /// Whether the extremality is not small against its errors in the mean over a region, though

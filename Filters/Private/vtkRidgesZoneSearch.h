@@ -52,7 +52,8 @@ private:
   bool AreAllClear(const std::vector<ridges::Ridge>& whole);
   bool AreOutside(const std::vector<ridges::Ridge>& whole);
   bool JudgePoints(vtkAlgorithm* filter, double from, double to);
-  bool RemoveResolved(ridges::RidgeZones& zones, const std::vector<std::size_t>& regions) const;
+  bool RemoveResolved(vtkAlgorithm* filter, double from, double to, ridges::RidgeZones& zones,
+    const std::vector<std::size_t>& regions, bool& isAnyRemoved) const;
   bool ShowsAsAWhole(const ridges::RidgeZones& zones, std::size_t region) const;
   bool ShowsOnLargerScale(
     const ridges::RidgeZones& zones, std::size_t region, const ridges::OrderedRings& rings) const;
