@@ -5,6 +5,7 @@
 #include "vtkRidgesBatches.h"
 #include "vtkRidgesPerThread.h"
 
+#include <algorithm>
 #include <memory>
 
 namespace
@@ -48,6 +49,18 @@ bool IsCrestSomewhere(const ridges::RidgeTrace& ridge)
   return false;
 }
 
+/// Walks from a place have the more steps the finer the mesh is.
+vtkIdType PlacesAtATime(const ridges::TriangleMesh& mesh, const ridges::FoldRule& rule)
+{
+  constexpr double steps = 1 << 18;
+  constexpr double fewest = 1 << 8;
+  constexpr double most = 1 << 14;
+  const double stepsOfAPlace = rule.reach / mesh.MeanEdgeLength();
+  return stepsOfAPlace > 0.0
+    ? static_cast<vtkIdType>(std::clamp(steps / stepsOfAPlace, fewest, most))
+    : static_cast<vtkIdType>(most);
+}
+
 } // namespace
 
 bool vtkRidgesMeasureFolds(vtkAlgorithm* filter, double from, double to,
@@ -77,5 +90,5 @@ bool vtkRidgesMeasureFolds(vtkAlgorithm* filter, double from, double to,
   }
   MeasureFolds measure{ mesh, field, rule, places, {} };
   return vtkRidgesForBatches(
-    filter, static_cast<vtkIdType>(places.size()), from, to, measure, 1 << 14);
+    filter, static_cast<vtkIdType>(places.size()), from, to, measure, PlacesAtATime(mesh, rule));
 }
