@@ -42,7 +42,18 @@ bool ComesBefore(const TriangleMesh& mesh, const Triangle& a, const Triangle& b)
 /// In their order around the triangle, from the first.
 Triangle CornersInOrder(const TriangleMesh& mesh, Id triangle)
 {
-  Triangle first = mesh.Corners(triangle);
+  const Triangle& c = mesh.Corners(triangle);
+  const double x[] = { mesh.Point(c[0])[0], mesh.Point(c[1])[0], mesh.Point(c[2])[0] };
+  for (int i = 0; i < 3; ++i)
+  {
+    const int j = (i + 1) % 3;
+    const int k = (i + 2) % 3;
+    if (x[i] < x[j] && x[i] < x[k])
+    {
+      return { c[i], c[j], c[k] };
+    }
+  }
+  Triangle first = c;
   Triangle turned = first;
   for (int turn = 1; turn < 3; ++turn)
   {
